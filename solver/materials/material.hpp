@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The table of laws. A new law is one file that holds its parameters and its stress update, one entry in
+// `Material`, and one line in the harness's list of admissible parameters.
+#pragma once
+
+#include <variant>
+
+#include "solver/materials/linear_elastic.hpp"
+#include "solver/materials/mohr_coulomb.hpp"
+#include "solver/materials/neo_hookean.hpp"
+#include "solver/model/schema.hpp"
+
+namespace scarp {
+
+using Material = std::variant<LinearElastic, NeoHookean, MohrCoulomb>;
+template <>
+struct choice_key<Material> {
+  static constexpr std::string_view value = "model";
+};
+
+}  // namespace scarp

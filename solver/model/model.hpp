@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solver/materials/material.hpp"
+#include "solver/model/body_options.hpp"
+#include "solver/model/domain.hpp"
+#include "solver/model/particles.hpp"
+#include "solver/model/reports.hpp"
+#include "solver/model/site.hpp"
+
+namespace scarp {
+
+struct NamedMaterial {
+  std::string name;
+  Material law;
+};
+
+/// Lattice nodes that something outside the body holds, e.g. the ground below the base of a terrain solid.
+struct NodeSet {
+  std::string name;
+  Condition condition = Condition::fixed;
+  int axis = -1;  ///< for rollers: the axis along which the velocity is held at zero
+  std::vector<std::array<std::int32_t, 3>> nodes;
+};
+
+struct Body {
+  std::string name;
+  Formulation formulation = Formulation::total_lagrangian;
+  Lattice lattice;        ///< reference grid; nodes lie on domain.min + integer multiples of the cell
+  std::size_t begin = 0;  ///< range in Model::particles
+  std::size_t end = 0;
+  std::vector<NodeSet> held;
+};
+
+/// What discretize hands to the solver: material points with everything that the run needs.
+struct Model {
+  Domain domain;
+  std::vector<NamedMaterial> materials;
+  std::vector<Body> bodies;
+  Particles particles;
+  std::vector<VolumeReport> volumes;  ///< one per body
+  SiteFrame site;
+};
+
+}  // namespace scarp

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What each stage says about its work. Counts and measures only; the wording is the command line's business.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "solver/model/math.hpp"
+
+namespace scarp {
+
+/// One cleaning step: how many points went in and stayed.
+struct CleanReport {
+  std::string filter;
+  std::size_t before = 0;
+  std::size_t after = 0;
+};
+
+struct IngestReport {
+  std::string scan;
+  std::size_t points_read = 0;
+  std::size_t points_kept = 0;
+  std::size_t not_finite = 0;  ///< dropped because a coordinate was NaN or infinite
+  std::vector<CleanReport> steps;
+  Box3 bounds;  ///< of what was kept, local
+};
+
+/// The truth about volume: what the input geometry holds and what the material points hold.
+struct VolumeReport {
+  std::string body;
+  double input_volume = 0;     ///< m3 (2D: m2), of the closed mesh, TIN prism or shape, exact
+  double particle_volume = 0;  ///< sum of V0
+  std::size_t particles = 0;
+  std::size_t cells = 0;               ///< lattice cells that hold at least one particle
+  std::size_t full_cells = 0;          ///< cells with the full count of points
+  std::size_t isolated_particles = 0;  ///< alone in their cell with no neighbouring cell occupied
+  double mean_thickness_in_cells = 0;  ///< 2.5D solids: volume / (plan area x cell); else 0
+  std::vector<std::pair<std::string, double>> volume_by_material;
+  bool closed = true;
+  bool self_intersecting = false;
+
+  double relative_difference() const { return input_volume > 0 ? (particle_volume - input_volume) / input_volume : 0; }
+};
+
+/// One row of history.csv. Energies in J, momentum in kg m/s (2D: per metre).
+struct HistorySample {
+  double time = 0;
+  std::int64_t step = 0;
+  double dt = 0;
+  double kinetic = 0;
+  double strain = 0;
+  double plastic = 0;
+  double potential = 0;  ///< gravity, relative to the reference configuration
+  double total = 0;
+  Vec3 momentum{0, 0, 0};
+};
+
+/// How a simulation failed: a value, not an exception, so that everything before it is kept.
+struct Failure {
+  std::string what;
+  std::int64_t step = 0;
+  double time = 0;
+  std::int64_t particle = -1;  ///< id, or -1
+  Vec3 position{0, 0, 0};      ///< local, m
+};
+
+struct RunReport {
+  bool failed = false;
+  Failure failure;
+  std::int64_t steps = 0;
+  std::int64_t particle_steps = 0;
+  double end_time = 0;
+  double smallest_dt = 0;
+  double largest_dt = 0;
+  double largest_displacement = 0;  ///< m, at the end
+  HistorySample first, last;
+  double largest_energy_error = 0;  ///< max over samples of |total - total at start|, J
+  double largest_kinetic = 0;
+};
+
+/// Distances from simulated free-surface points to an observed cloud, m. NaN statistics where nothing matched.
+struct DistanceReport {
+  std::string name;
+  std::string method;
+  std::size_t points = 0;
+  std::size_t matched = 0;  ///< with an observed point within max_distance; the rest are NaN
+  double max_distance = 0;
+  double mean = 0, median = 0, standard_deviation = 0, root_mean_square = 0, percentile_95 = 0, largest = 0;
+};
+
+}  // namespace scarp

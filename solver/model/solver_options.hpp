@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "solver/model/math.hpp"
+#include "solver/model/output_field.hpp"
+#include "solver/model/schema.hpp"
+
+namespace scarp {
+
+enum class UpdateOrder { musl };
+template <>
+struct enum_names<UpdateOrder> {
+  static constexpr std::array<std::pair<std::string_view, UpdateOrder>, 1> value{{{"musl", UpdateOrder::musl}}};
+};
+
+enum class ShapeFunction { linear };
+template <>
+struct enum_names<ShapeFunction> {
+  static constexpr std::array<std::pair<std::string_view, ShapeFunction>, 1> value{{{"linear", ShapeFunction::linear}}};
+};
+
+struct SolverOptions {
+  UpdateOrder update = UpdateOrder::musl;
+  ShapeFunction shape = ShapeFunction::linear;
+  double flip = 1.0;
+  std::optional<Vec3> gravity;
+  double courant = 0.4;
+  double end_time = 0;
+  std::int64_t max_steps = 100'000'000;
+
+  template <class V>
+  void describe(V&& v) {
+    v("update", update,
+      Spec{.text = "when the stress is updated: MUSL, after the momentum has been mapped a second time"});
+    v("shape", shape, Spec{.text = "shape functions of the grid"});
+    v("flip", flip, Spec{.text = "FLIP share of the velocity update; the rest is PIC", .at_least = 0, .at_most = 1});
+    v("gravity", gravity, Spec{.text = "acceleration of gravity; default 9.81 downwards", .unit = "m/s2"});
+    v("courant", courant, Spec{.text = "time step as a share of the stable one", .above = 0, .at_most = 1});
+    v("end_time", end_time, Spec{.text = "simulated time", .unit = "s", .above = 0, .required = true});
+    v("max_steps", max_steps, Spec{.text = "stop with a failure after this many steps", .at_least = 1});
+  }
+};
+
+struct OutputOptions {
+  std::optional<double> every;
+  std::optional<double> history_every;
+  std::vector<OutputField> fields{OutputField::displacement, OutputField::velocity, OutputField::stress,
+                                  OutputField::equivalent_plastic_strain};
+
+  template <class V>
+  void describe(V&& v) {
+    v("every", every,
+      Spec{.text = "interval between frames; default: a twentieth of the end time", .unit = "s", .above = 0});
+    v("history_every", history_every,
+      Spec{.text = "interval between rows of history.csv; default: a tenth of the frames'", .unit = "s", .above = 0});
+    v("fields", fields, Spec{.text = "what a frame holds per particle, beside id, body, material, surface and colour"});
+  }
+};
+
+}  // namespace scarp
