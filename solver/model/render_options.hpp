@@ -32,16 +32,24 @@ struct ColourOptions {
   std::string field = "displacement";
   ColourMap map = ColourMap::batlow;
   std::optional<Vec2> range;
+  std::optional<double> threshold;
   int bands = 0;
 
   template <class V>
   void describe(V&& v) {
     v("field", field,
-      Spec{.text = "a field of the frames; of a vector its length; \"colour\" for the scan's own, \"material\" or "
+      Spec{.text = "a field of the frames: of a vector its length, of \"stress\" the von Mises stress, of "
+                   "\"displacement.z\" or \"stress.xy\" one component; \"colour\" for the scan's own, \"material\" or "
                    "\"body\" for classes"});
     v("map", map, Spec{.text = "colour map"});
     v("range", range,
-      Spec{.text = "values at the two ends of the colour bar, in the field's SI unit; default: that of all frames"});
+      Spec{.text = "values at the two ends of the colour bar, in the field's SI unit; default: the range of all "
+                   "frames, rounded "
+                   "outwards; without a few stray particles if these would stretch it threefold"});
+    v("threshold", threshold,
+      Spec{.text =
+               "values below it show the grey ground, in the field's SI unit; default: 2 % of a range that starts at "
+               "0, else none"});
     v("bands", bands, Spec{.text = "number of discrete bands; 0 means continuous", .at_least = 0, .at_most = 64});
   }
 };
@@ -77,6 +85,7 @@ struct RenderOptions {
   bool video = true;
   double frames_per_second = 10;
   double exaggeration = 1;
+  double contours = 0;
 
   template <class V>
   void describe(V&& v) {
@@ -90,6 +99,10 @@ struct RenderOptions {
       Spec{.text = "speed of the video", .unit = "1/s", .above = 0, .at_most = 120});
     v("exaggeration", exaggeration,
       Spec{.text = "factor on displacements in the picture; stated in it when it is not 1", .above = 0});
+    v("contours", contours,
+      Spec{.text = "vertical distance of the elevation contours drawn on the ground; 0 means none",
+           .unit = "m",
+           .at_least = 0});
   }
 };
 

@@ -41,6 +41,8 @@ struct VolumeReport {
   std::vector<std::pair<std::string, double>> volume_by_material;
   bool closed = true;
   bool self_intersecting = false;
+  double plan_area = 0;  ///< m2, 2.5D solids: of the part that has thickness; else 0
+  std::size_t points_beside_rule_surface = 0;  ///< where a `below` rule's raster has no value, so that it took none
 
   double relative_difference() const { return input_volume > 0 ? (particle_volume - input_volume) / input_volume : 0; }
 };

@@ -10,7 +10,8 @@
 
 namespace scarp {
 
-/// A slide that has happened: a scar cut out of the slope and a lobe of the same volume below it.
+/// A slide that has happened: a scar cut out of the slope and a lobe of the same volume below it, 1.3 times as
+/// wide (x) and 1.5 times as long (y) as the scar. Both must lie within the scan's extent.
 struct SyntheticSlide {
   Vec2 scar_centre{0, 0};
   double scar_radius = 0;
@@ -36,6 +37,7 @@ struct SyntheticSlide {
 /// The slope rises along +y from a flat toe to a flat crest, with fractal roughness.
 struct SyntheticScan {
   std::int64_t seed = 1;
+  std::int64_t survey = 0;
   Vec2 size{100, 100};
   double toe_length = 20;
   double crest_length = 20;
@@ -50,12 +52,17 @@ struct SyntheticScan {
   double vegetation = 0.05;
   double vegetation_height = 1.5;
   double outliers = 0.001;
+  double truth_cell = 0.25;
   Vec3 site_offset{0, 0, 0};
   std::optional<SyntheticSlide> slide;
 
   template <class V>
   void describe(V&& v) {
     v("seed", seed, Spec{.text = "seed of everything random", .at_least = 0});
+    v("survey", survey,
+      Spec{
+          .text = "which survey of the same ground: another draw of the rays, the noise, the vegetation and the strays",
+          .at_least = 0});
     v("size", size, Spec{.text = "extent in x and y", .unit = "m", .above = 0});
     v("toe_length", toe_length, Spec{.text = "length in y of the flat ground at the toe", .unit = "m", .at_least = 0});
     v("crest_length", crest_length,
@@ -79,6 +86,7 @@ struct SyntheticScan {
     v("vegetation_height", vegetation_height,
       Spec{.text = "height of the tallest vegetation", .unit = "m", .at_least = 0});
     v("outliers", outliers, Spec{.text = "share of the points that are stray returns", .at_least = 0, .at_most = 0.5});
+    v("truth_cell", truth_cell, Spec{.text = "cell of the raster of the bare ground", .unit = "m", .above = 0});
     v("site_offset", site_offset,
       Spec{.text = "whole metres added to all coordinates, to mimic a national grid", .unit = "m"});
     v("slide", slide, Spec{.text = "a slide that has happened before the scan"});

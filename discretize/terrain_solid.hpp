@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "discretize/columns.hpp"
+#include "discretize/plan_polygon.hpp"
+#include "discretize/plane_geometry_cgal.hpp"
+#include "solver/model/body_options.hpp"
+#include "solver/model/model.hpp"
+#include "solver/model/point_cloud.hpp"
+
+namespace scarp {
+
+/// The ground below a scanned surface, ready to be filled: TIN on top, a plane or the sunken TIN below, a vertical
+/// skirt on the border of the TIN or on the outline.
+struct TerrainSolid {
+  std::string scan;
+  Tin tin;
+  std::optional<PlanPolygon> outline;
+  Closing close = Closing::plane;
+  double depth = 0;           ///< m, for Closing::depth
+  double base_elevation = 0;  ///< m, local, for Closing::plane
+  Condition base = Condition::fixed;
+  double plan_area = 0;  ///< m2, of the part that has thickness
+  double volume = 0;     ///< m3, exact
+  Box3 bounds;           ///< exact
+
+  double base_below(double top) const { return close == Closing::plane ? base_elevation : top - depth; }
+};
+
+/// @throws Error ("discretize") naming the body if depth or base elevation is missing, if the scan spans no area in
+/// plan, or if nothing of it lies inside the outline and above the base.
+TerrainSolid close_terrain(const ScanVolume& options, const PointCloud& scan, const std::string& body, int threads);
+
+/// Sub-cells whose centre lies in base <= z < surface; `top` of the result is the exact TIN over each column.
+Columns fill(const TerrainSolid& solid, const SubLattice& grid, int threads);
+
+/// Elevation of the TIN over each (x, y) of a grid in plan, NaN where there is none; x is the fastest index.
+std::vector<double> sample_tin(const Tin& tin, const Axis& x, const Axis& y, int threads);
+
+}  // namespace scarp

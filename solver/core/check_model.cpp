@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/check_model.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "solver/core/step_total.hpp"
+#include "solver/materials/law.hpp"
+#include "solver/model/error.hpp"
+
+namespace scarp {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what, const std::string& value, const std::string& allowed) {
+  throw Error("solve", what, value, allowed);
+}
+
+std::string text(const Vec3& x) { return "(" + shortest(x[0]) + ", " + shortest(x[1]) + ", " + shortest(x[2]) + ")"; }
+
+void check_arrays(const Particles& particles) {
+  for_each_field(particles, [&](const char* name, const char*, const auto& values, const auto&) {
+    if (values.size() != particles.size())
+      refuse(std::string("number of values of particle field '") + name + "'", std::to_string(values.size()),
+             "one per particle, " + std::to_string(particles.size()));
+  });
+}
+
+void check_bodies(const Model& model) {
+  std::size_t expected = 0;
+  for (const Body& body : model.bodies) {
+    const std::string of = " of body '" + body.name + "'";
+    if (body.begin != expected || body.end < body.begin || body.end > model.particles.size())
+      refuse("particle range" + of, std::to_string(body.begin) + " to " + std::to_string(body.end),
+             "contiguous ranges in the order of the bodies");
+    if (body.end == body.begin) refuse("number of particles" + of, "0", "at least one");
+    if (!(body.lattice.cell > 0) || !std::isfinite(body.lattice.cell) || !is_finite(body.lattice.origin))
+      refuse("cell" + of, shortest(body.lattice.cell), "above 0 m");
+    if (body.lattice.dimension() != model.domain.dimension)
+      refuse("dimension of the lattice" + of, std::to_string(body.lattice.dimension()),
+             "that of the domain, " + std::to_string(model.domain.dimension));
+    expected = body.end;
+  }
+  if (expected != model.particles.size() || expected == 0)
+    refuse("particles that belong to a body", std::to_string(expected), "all, and at least one");
+}
+
+void check_particle(const Model& model, std::int32_t body, std::size_t p) {
+  const Particles& particles = model.particles;
+  const auto name = [&] {
+    return " of particle " + std::to_string(particles.id[p]) + " of body '" + model.bodies[body].name + "'";
+  };
+  if (particles.body[p] != body) refuse("body" + name(), std::to_string(particles.body[p]), std::to_string(body));
+  if (particles.material[p] < 0 || static_cast<std::size_t>(particles.material[p]) >= model.materials.size())
+    refuse("material" + name(), std::to_string(particles.material[p]),
+           "0 to " + std::to_string(static_cast<long>(model.materials.size()) - 1));
+  if (!(particles.mass[p] > 0) || !std::isfinite(particles.mass[p]))
+    refuse("mass" + name(), shortest(particles.mass[p]), "above 0 kg");
+  if (!(particles.reference_volume[p] > 0) || !std::isfinite(particles.reference_volume[p]))
+    refuse("reference volume" + name(), shortest(particles.reference_volume[p]), "above 0 m3");
+  if (!is_finite(particles.reference_position[p]) || !is_finite(particles.position[p]))
+    refuse("position" + name(), text(particles.position[p]), "finite");
+  const Vec3& v = particles.velocity[p];
+  if (!is_finite(v)) refuse("velocity" + name(), text(v), "finite");
+  const Mat3& F = particles.deformation_gradient[p];
+  if (model.domain.dimension == 2 && (v[2] != 0 || F[2] != 0 || F[5] != 0 || F[6] != 0 || F[7] != 0))
+    refuse("motion out of the plane" + name(), text(v), "none in plane strain");
+}
+
+}  // namespace
+
+void check_model(const Model& model) {
+  if (model.domain.dimension != 2 && model.domain.dimension != 3)
+    refuse("dimension", std::to_string(model.domain.dimension), "2 or 3");
+  for (const NamedMaterial& material : model.materials) validate(material.law, material.name);
+  check_arrays(model.particles);
+  check_bodies(model);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    for (std::size_t p = model.bodies[b].begin; p < model.bodies[b].end; ++p)
+      check_particle(model, static_cast<std::int32_t>(b), p);
+}
+
+void check_options(const SolverOptions& options, int dimension) {
+  const Vec3 gravity = gravity_of(options, dimension);
+  if (!is_finite(gravity) || (dimension == 2 && gravity[2] != 0))
+    refuse("gravity", text(gravity), dimension == 2 ? "finite, and in the plane" : "finite");
+  if (!(options.courant > 0 && options.courant <= 1)) refuse("courant", shortest(options.courant), "above 0, at most 1");
+  if (!(options.flip >= 0 && options.flip <= 1)) refuse("flip", shortest(options.flip), "0 to 1");
+  if (!(options.end_time > 0) || !std::isfinite(options.end_time))
+    refuse("end_time", shortest(options.end_time), "above 0 s");
+  if (options.max_steps < 1) refuse("max_steps", std::to_string(options.max_steps), "at least 1");
+}
+
+void check_options(const OutputOptions& options) {
+  const auto check = [](const char* name, const std::optional<double>& value) {
+    if (value && (!(*value > 0) || !std::isfinite(*value))) refuse(name, shortest(*value), "above 0 s");
+  };
+  check("every", options.every);
+  check("history_every", options.history_every);
+}
+
+}  // namespace scarp

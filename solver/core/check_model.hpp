@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "solver/model/model.hpp"
+#include "solver/model/solver_options.hpp"
+
+namespace scarp {
+
+/// A model may come from a file: checks all that the solver relies on, so that no sweep has to.
+/// @throws Error ("solve", "materials") naming body, particle and value.
+void check_model(const Model& model);
+
+/// @throws Error ("solve") where an option is outside what the schema states.
+void check_options(const SolverOptions& options, int dimension);
+void check_options(const OutputOptions& options);
+
+}  // namespace scarp

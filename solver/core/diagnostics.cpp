@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/diagnostics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/model/parallel.hpp"
+
+namespace scarp {
+namespace {
+
+void add(HistorySample& sum, const HistorySample& part) {
+  sum.kinetic += part.kinetic;
+  sum.strain += part.strain;
+  sum.plastic += part.plastic;
+  sum.potential += part.potential;
+  sum.momentum = sum.momentum + part.momentum;
+}
+
+/// Strain and plastic energy of [begin, end), all of one law.
+template <class Law>
+void add_material_energy(HistorySample& sum, const Particles& particles, const Law& law, std::size_t begin,
+                         std::size_t end) {
+  for (std::size_t p = begin; p < end; ++p) {
+    PointHistory history;
+    if constexpr (Law::has_history) history.elastic_left_cauchy_green = particles.elastic_left_cauchy_green[p];
+    const Mat3& F = particles.deformation_gradient[p];
+    sum.strain += particles.reference_volume[p] * law.stored_energy(make_motion(F, F), history);
+    if constexpr (Law::has_history) sum.plastic += particles.reference_volume[p] * particles.plastic_work[p];
+  }
+}
+
+HistorySample measure_block(const Particles& particles, const std::vector<PreparedLaw>& laws, const Vec3& gravity,
+                            std::size_t begin, std::size_t end) {
+  HistorySample sum;
+  for (std::size_t p = begin; p < end; ++p) {
+    const double mass = particles.mass[p];
+    const Vec3& v = particles.velocity[p];
+    sum.kinetic += 0.5 * mass * dot(v, v);
+    sum.potential -= mass * dot(gravity, particles.position[p] - particles.reference_position[p]);
+    sum.momentum = sum.momentum + mass * v;
+  }
+  for (std::size_t p = begin, next = p; p < end; p = next) {
+    while (next < end && particles.material[next] == particles.material[p]) ++next;
+    std::visit([&](const auto& law) { add_material_energy(sum, particles, law, p, next); },
+               laws[particles.material[p]]);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Diagnostics::Diagnostics(std::size_t particles) : blocks_((particles + kReductionBlock - 1) / kReductionBlock) {}
+
+HistorySample Diagnostics::measure(const Model& model, const std::vector<PreparedLaw>& laws, const Vec3& gravity,
+                                   int threads) {
+  const std::size_t count = model.particles.size();
+  parallel_for(blocks_.size(), threads, [&](std::size_t b) {
+    blocks_[b] = measure_block(model.particles, laws, gravity, b * kReductionBlock,
+                               std::min(count, (b + 1) * kReductionBlock));
+  });
+  HistorySample sum;
+  for (const HistorySample& block : blocks_) add(sum, block);
+  sum.total = sum.kinetic + sum.strain + sum.plastic + sum.potential;
+  return sum;
+}
+
+double largest_displacement(const Particles& particles) {
+  double largest = 0;
+  for (std::size_t p = 0; p < particles.size(); ++p)
+    largest = std::max(largest, norm(particles.position[p] - particles.reference_position[p]));
+  return largest;
+}
+
+Failure describe_bad_particle(const Particles& particles, std::int64_t index) {
+  const Mat3& F = particles.deformation_gradient[index];
+  const double J = determinant(F);
+  Failure failure;
+  failure.what = std::isfinite(J) && J <= 0 ? "a particle is turned inside out (J = det F <= 0)"
+                                            : "the deformation or the stress of a particle is not finite";
+  failure.particle = particles.id[index];
+  failure.position = particles.position[index];
+  return failure;
+}
+
+}  // namespace scarp

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/materials/law.hpp"
+#include "solver/model/model.hpp"
+
+namespace scarp {
+
+/// Energies (method.md 1.4) and momentum of the particles as they stand; time, step and dt are the caller's.
+/// Blocks of particles are summed in a fixed order: the same bits for any number of threads.
+class Diagnostics {
+ public:
+  explicit Diagnostics(std::size_t particles);
+  HistorySample measure(const Model& model, const std::vector<PreparedLaw>& laws, const Vec3& gravity, int threads);
+
+ private:
+  std::vector<HistorySample> blocks_;
+};
+
+/// Largest |x - X|, m.
+double largest_displacement(const Particles& particles);
+
+/// What is wrong with a particle that a sweep has found invalid. Step and time are the caller's.
+Failure describe_bad_particle(const Particles& particles, std::int64_t index);
+
+}  // namespace scarp

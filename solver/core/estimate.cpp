@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/core/check_model.hpp"
+#include "solver/core/output_clock.hpp"
+#include "solver/core/reference_grid.hpp"
+#include "solver/materials/law.hpp"
+
+namespace scarp {
+namespace {
+
+double bytes_per_particle(const Particles& particles) {
+  double bytes = sizeof(Vec3);  // ReferenceGrid::xi
+  for_each_field(particles, [&](const char*, const char*, const auto& values, const auto&) {
+    bytes += sizeof(typename std::decay_t<decltype(values)>::value_type);
+  });
+  return bytes;
+}
+
+/// The arrays of ReferenceGrid and TotalBody.
+double grid_bytes(const GridCounts& counts, int corners) {
+  const double per_slot = 2 * sizeof(std::uint32_t) + sizeof(Vec3);
+  const double per_cell = sizeof(LatticeIndex) + sizeof(std::size_t) + corners * per_slot;
+  const double per_node = sizeof(LatticeIndex) + sizeof(std::uint32_t) + 1 + 2 * sizeof(double) + 2 * sizeof(Vec3);
+  return counts.cells * per_cell + counts.nodes * per_node;
+}
+
+double fastest_wave_per_cell(const Model& model, const Body& body) {
+  double c2 = 0;
+  for (std::size_t p = body.begin; p < body.end; ++p) {
+    const Mat3& F = model.particles.deformation_gradient[p];
+    std::visit(
+        [&](const auto& m) {
+          const typename std::decay_t<decltype(m)>::Law law(m);
+          const PointHistory history{model.particles.elastic_left_cauchy_green[p], 0, 0};
+          c2 = std::max(c2, law.wave_speed_squared(make_motion(F, F), history));
+        },
+        model.materials[model.particles.material[p]].law);
+  }
+  return std::sqrt(c2) / body.lattice.cell;
+}
+
+}  // namespace
+
+RunEstimate estimate(const Model& model, const SolverOptions& options, const OutputOptions& output) {
+  check_model(model);
+  check_options(options, model.domain.dimension);
+  check_options(output);
+  RunEstimate result;
+  const double count = static_cast<double>(model.particles.size());
+  result.memory_bytes = count * bytes_per_particle(model.particles);
+  double fastest = 0;
+  for (const Body& body : model.bodies) {
+    result.memory_bytes += grid_bytes(count_grid(model, body), 1 << body.lattice.dimension());
+    fastest = std::max(fastest, fastest_wave_per_cell(model, body));
+  }
+  result.time_step = options.courant / fastest;
+  // Between two due times the steps are cut to a whole number.
+  const double interval = std::min({frame_interval(output, options.end_time),
+                                    history_interval(output, options.end_time), options.end_time});
+  result.steps = std::ceil(options.end_time / interval) * std::ceil(interval / result.time_step);
+  result.particle_steps = result.steps * count;
+  return result;
+}
+
+}  // namespace scarp

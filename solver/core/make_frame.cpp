@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/make_frame.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "solver/materials/tensor.hpp"
+
+namespace scarp {
+namespace {
+
+/// A float field whose entry for particle p is made by `value(p)`, an array of doubles.
+template <class F>
+FrameField field_of(OutputField which, const char* unit, std::size_t count, F&& value) {
+  constexpr int components = static_cast<int>(std::tuple_size_v<decltype(value(0))>);
+  std::vector<float> values;
+  values.reserve(count * components);
+  for (std::size_t p = 0; p < count; ++p)
+    for (double v : value(p)) values.push_back(static_cast<float>(v));
+  return {std::string(name_of(which)), unit, components, std::move(values)};
+}
+
+double mean(const Sym6& s) { return (s[0] + s[1] + s[2]) / 3; }
+
+double von_mises(const Sym6& s) {
+  const double x = s[0] - s[1], y = s[1] - s[2], z = s[2] - s[0];
+  return std::sqrt(0.5 * (x * x + y * y + z * z) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+using Scalar = std::array<double, 1>;
+
+FrameField make_field(const Particles& P, OutputField which) {
+  const std::size_t n = P.size();
+  const auto J = [&P](std::size_t p) { return determinant(P.deformation_gradient[p]); };
+  switch (which) {
+    case OutputField::displacement:
+      return field_of(which, "m", n, [&](std::size_t p) { return P.position[p] - P.reference_position[p]; });
+    case OutputField::velocity:
+      return field_of(which, "m/s", n, [&](std::size_t p) { return P.velocity[p]; });
+    case OutputField::stress:
+      return field_of(which, "Pa", n, [&](std::size_t p) { return P.stress[p]; });
+    case OutputField::equivalent_plastic_strain:
+      return field_of(which, "1", n, [&](std::size_t p) { return Scalar{P.equivalent_plastic_strain[p]}; });
+    case OutputField::mean_stress:
+      return field_of(which, "Pa", n, [&](std::size_t p) { return Scalar{mean(P.stress[p])}; });
+    case OutputField::von_mises_stress:
+      return field_of(which, "Pa", n, [&](std::size_t p) { return Scalar{von_mises(P.stress[p])}; });
+    case OutputField::volume_ratio:
+      return field_of(which, "1", n, [&](std::size_t p) { return Scalar{J(p)}; });
+    case OutputField::deformation_gradient:
+      return field_of(which, "1", n, [&](std::size_t p) { return P.deformation_gradient[p]; });
+    case OutputField::density:
+      return field_of(which, "kg/m3", n,
+                      [&](std::size_t p) { return Scalar{P.mass[p] / (P.reference_volume[p] * J(p))}; });
+  }
+  return {};
+}
+
+std::vector<std::uint8_t> flatten(const std::vector<Rgb8>& colours) {
+  std::vector<std::uint8_t> values;
+  values.reserve(3 * colours.size());
+  for (const Rgb8& c : colours) values.insert(values.end(), c.begin(), c.end());
+  return values;
+}
+
+}  // namespace
+
+Frame make_frame(const Model& model, const std::vector<OutputField>& fields, double time, std::int64_t step) {
+  const Particles& particles = model.particles;
+  Frame frame{.time = time, .step = step, .positions = particles.position, .fields = {}, .site = model.site};
+  frame.fields.push_back({"id", "1", 1, particles.id});
+  frame.fields.push_back({"body", "1", 1, particles.body});
+  frame.fields.push_back({"material", "1", 1, particles.material});
+  frame.fields.push_back({"surface", "1", 1, particles.surface});
+  frame.fields.push_back({"colour", "1", 3, flatten(particles.colour)});
+  for (OutputField field : fields)
+    if (!find_field(frame, std::string(name_of(field)))) frame.fields.push_back(make_field(particles, field));
+  return frame;
+}
+
+}  // namespace scarp

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/model/frame.hpp"
+#include "solver/model/model.hpp"
+#include "solver/model/output_field.hpp"
+
+namespace scarp {
+
+/// The model's particles as a frame: positions in double, and always id (int64), body, material (int32), surface
+/// and colour (uint8; r, g, b). The fields asked for are floats: stress in the order xx, yy, zz, xy, yz, xz (Pa,
+/// tension positive), deformation_gradient row-major, volume_ratio J, density in the current configuration,
+/// von_mises_stress sqrt(3/2 s:s) with s the deviator. A field asked for twice comes once.
+Frame make_frame(const Model& model, const std::vector<OutputField>& fields, double time, std::int64_t step);
+
+}  // namespace scarp

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solver/model/model.hpp"
+
+namespace scarp {
+
+using LatticeIndex = std::array<std::int32_t, 3>;
+
+/// A body's grid in its reference configuration: only the cells that hold particles and the nodes of these,
+/// each sorted lexicographically (x fastest). Built once per run; in a total-Lagrangian body it never changes.
+///
+/// Cells write what they give to their corners into `corner` slots of their own, and nodes add up the slots
+/// of the cells around them in a fixed order: no atomics, and the same bits for any number of threads.
+struct ReferenceGrid {
+  int dimension = 3;
+  double cell = 0;                          ///< edge, m
+  std::vector<LatticeIndex> cells;          ///< lattice index of the lower corner
+  std::vector<LatticeIndex> nodes;          ///< lattice index
+  std::vector<std::size_t> cell_begin;      ///< cells + 1: range of a cell in Model::particles
+  std::vector<std::uint32_t> cell_nodes;    ///< corners() per cell: index into nodes
+  std::vector<std::uint32_t> around_begin;  ///< nodes + 1: range of a node in `around`
+  std::vector<std::uint32_t> around;        ///< slots (cell * corners() + corner) that give to the node, ascending
+  std::vector<Vec3> xi;                     ///< per particle of the body: place in its cell, 0 to 1
+  std::vector<double> node_mass;            ///< m_I = sum phi_Ip m_p, kg; constant in time
+
+  int corners() const { return 1 << dimension; }
+};
+
+/// Groups each body's particles by cell, within a cell by material, else in the order of their ids; leaves them
+/// alone where they already stand so. Their ids keep their identity.
+/// @throws Error ("solve") where a particle lies outside its body's lattice.
+void sort_by_cell(Model& model);
+
+/// @throws Error ("solve") where a particle lies outside the lattice, or so close to a corner of its cell that a
+///         node would get no mass.
+ReferenceGrid build_reference_grid(const Model& model, const Body& body);
+
+/// How many cells and nodes build_reference_grid would keep.
+struct GridCounts {
+  std::size_t cells = 0;
+  std::size_t nodes = 0;
+};
+GridCounts count_grid(const Model& model, const Body& body);
+
+}  // namespace scarp

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "solver/core/check_model.hpp"
+#include "solver/core/diagnostics.hpp"
+#include "solver/core/output_clock.hpp"
+#include "solver/core/step_total.hpp"
+
+namespace scarp {
+namespace {
+
+/// Below this share of the first step the run would not end in any useful time.
+constexpr double kCollapse = 1e-6;
+
+struct Run {
+  Run(Model& m, const SolverOptions& options, const OutputOptions& output, FrameSink& s, int t)
+      : model(m), sink(s), threads(t), method(m, options, t), diagnostics(m.particles.size()),
+        clock(output, options.end_time) {}
+
+  HistorySample sample(double dt) {
+    HistorySample sample = diagnostics.measure(model, method.laws(), method.gravity(), threads);
+    sample.time = method.time();
+    sample.step = report.steps;
+    sample.dt = dt;
+    return sample;
+  }
+
+  void record(double dt) {
+    const HistorySample now = sample(dt);
+    if (report.steps == 0) report.first = now;
+    report.last = now;
+    report.largest_energy_error = std::max(report.largest_energy_error, std::abs(now.total - report.first.total));
+    report.largest_kinetic = std::max(report.largest_kinetic, now.kinetic);
+    sink.sample(now);
+  }
+
+  void record_what_is_due(double dt) {
+    const double time = method.time();
+    const bool frame = clock.frame_due(time);
+    if (frame || clock.sample_due(time)) record(dt);
+    if (clock.sample_due(time)) clock.sample_done();
+    if (!frame) return;
+    clock.frame_done();
+    sink.frame(model, time, report.steps);
+  }
+
+  void fail(Failure failure) {
+    failure.step = report.steps;
+    failure.time = method.time();
+    report.failed = true;
+    report.failure = std::move(failure);
+  }
+
+  Model& model;
+  FrameSink& sink;
+  int threads;
+  TotalLagrangian method;
+  Diagnostics diagnostics;
+  OutputClock clock;
+  RunReport report;
+};
+
+/// Why no further step can be taken, if so.
+std::optional<Failure> obstacle(const Run& run, std::int64_t max_steps, double stable, double first_stable) {
+  if (run.method.bad_particle() >= 0) return describe_bad_particle(run.model.particles, run.method.bad_particle());
+  if (run.report.steps >= max_steps) return Failure{.what = "max_steps reached before the end time"};
+  if (!(stable > kCollapse * first_stable)) return Failure{.what = "the time step has collapsed"};
+  return std::nullopt;
+}
+
+void finish(Run& run) {
+  run.report.particle_steps = run.report.steps * static_cast<std::int64_t>(run.model.particles.size());
+  run.report.end_time = run.method.time();
+  run.report.largest_displacement = largest_displacement(run.model.particles);
+}
+
+}  // namespace
+
+RunReport run(Model& model, const SolverOptions& options, const OutputOptions& output, FrameSink& sink, int threads) {
+  check_options(output);
+  Run run(model, options, output, sink, threads);
+  TotalLagrangian& method = run.method;
+  const double first_stable = method.stable_time_step();
+  if (method.bad_particle() < 0) {
+    run.record(0);
+    sink.frame(model, 0, 0);
+  }
+  while (!run.report.failed && method.time() < options.end_time) {
+    const double stable = method.stable_time_step();
+    if (auto failure = obstacle(run, options.max_steps, stable, first_stable)) {
+      run.fail(*failure);
+      break;
+    }
+    const double dt = run.clock.clip(method.time(), stable);
+    const double time = run.clock.after(method.time(), dt);
+    method.step(dt);
+    method.set_time(time);
+    RunReport& report = run.report;
+    ++report.steps;
+    report.smallest_dt = report.steps == 1 ? dt : std::min(report.smallest_dt, dt);
+    report.largest_dt = std::max(report.largest_dt, dt);
+    if (method.bad_particle() >= 0) {
+      run.fail(describe_bad_particle(model.particles, method.bad_particle()));
+      break;
+    }
+    sink.progress(time, options.end_time, report.steps, dt);
+    run.record_what_is_due(dt);
+  }
+  finish(run);
+  return run.report;
+}
+
+}  // namespace scarp

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/total_body.hpp"
+
+#include <algorithm>
+
+#include "solver/core/boundary.hpp"
+
+namespace scarp {
+namespace {
+
+/// Enough work to hide the cost of handing it out, few enough that any number of threads is kept busy.
+constexpr std::uint32_t kCellsPerTask = 64;
+
+/// The material of all particles of a cell, or -1. Within a cell they are sorted by material.
+std::int32_t material_of_cell(const Particles& particles, const ReferenceGrid& grid, std::uint32_t cell) {
+  const std::int32_t first = particles.material[grid.cell_begin[cell]];
+  return first == particles.material[grid.cell_begin[cell + 1] - 1] ? first : -1;
+}
+
+std::vector<CellTask> cut_into_tasks(const Particles& particles, const ReferenceGrid& grid) {
+  std::vector<CellTask> tasks;
+  for (std::uint32_t cell = 0; cell < grid.cells.size(); ++cell) {
+    const std::int32_t material = material_of_cell(particles, grid, cell);
+    if (tasks.empty() || tasks.back().material != material || cell - tasks.back().begin == kCellsPerTask)
+      tasks.push_back({.begin = cell, .end = cell, .material = material});
+    tasks.back().end = cell + 1;
+  }
+  return tasks;
+}
+
+}  // namespace
+
+TotalBody make_total_body(const Model& model, const Body& body) {
+  TotalBody total;
+  total.begin = body.begin;
+  total.end = body.end;
+  total.grid = build_reference_grid(model, body);
+  total.tasks = cut_into_tasks(model.particles, total.grid);
+  total.held = held_axes(model.domain, body, total.grid);
+  const std::size_t nodes = total.grid.nodes.size();
+  total.inverse_mass.resize(nodes);
+  std::transform(total.grid.node_mass.begin(), total.grid.node_mass.end(), total.inverse_mass.begin(),
+                 [](double m) { return 1 / m; });
+  total.velocity.assign(nodes, Vec3{0, 0, 0});
+  total.velocity_updated.assign(nodes, Vec3{0, 0, 0});
+  total.slots.assign(total.grid.cell_nodes.size(), Vec3{0, 0, 0});
+  return total;
+}
+
+}  // namespace scarp

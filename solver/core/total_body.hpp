@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/core/reference_grid.hpp"
+
+namespace scarp {
+
+/// A run of cells that one thread sweeps at a time. The list is fixed by the model alone.
+struct CellTask {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  std::int32_t material = -1;  ///< of all its particles, or -1: some cell is mixed, look at each particle
+  // What the last stress sweep found here:
+  double largest_wave_speed_squared = 0;  ///< (m/s)^2
+  std::int64_t bad_particle = -1;         ///< index of the first whose state is no longer valid, or -1
+};
+
+/// The state that a total-Lagrangian body has beside its particles. Everything is allocated before the first step.
+struct TotalBody {
+  std::size_t begin = 0;  ///< range in Model::particles
+  std::size_t end = 0;
+  ReferenceGrid grid;
+  std::vector<CellTask> tasks;
+  std::vector<std::uint8_t> held;      ///< per node, see held_axes
+  std::vector<double> inverse_mass;    ///< 1 / m_I
+  std::vector<Vec3> velocity;          ///< v_I, of the momentum mapped last
+  std::vector<Vec3> velocity_updated;  ///< v~_I
+  std::vector<Vec3> slots;             ///< per cell and corner: momentum, then force
+};
+
+/// @param model  with particles sorted by cell
+TotalBody make_total_body(const Model& model, const Body& body);
+
+}  // namespace scarp

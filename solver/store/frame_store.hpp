@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Frames as VTKHDF files (version 1.0, an unstructured grid of vertices), which ParaView opens. One thread only.
+#pragma once
+
+#include <filesystem>
+
+#include "solver/model/frame.hpp"
+#include "solver/store/series_store.hpp"
+
+namespace scarp {
+
+/// Writes one frame; the extension must be ".hdf", because ParaView 5.11 goes by it.
+///
+/// /VTKHDF holds Points (n x 3, float64, m, local), one vertex per point and PointData with the fields under
+/// their names; each array has an attribute "unit". Beside it stand `time` (s), `step`, `origin` (3, m: add it
+/// to Points to get the site's coordinates) and `crs`.
+/// @throws Error ("store") for a frame without particles, a field whose length is not particles x components,
+///         a name that cannot be one, or another extension; Error ("write") if the disk refuses.
+void write_frame(const std::filesystem::path& path, const Frame& frame);
+
+/// Everything that write_frame was given, in the same order and types.
+/// @throws Error ("store") for a file that is not a whole frame of ours.
+Frame read_frame(const std::filesystem::path& path);
+
+}  // namespace scarp

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/model/reports.hpp"
+
+namespace scarp {
+
+/// Counts and statistics of distances (m), as compare_nearest describes them; NaN means "not matched". Name, method and
+/// max_distance are left to the caller.
+DistanceReport distance_statistics(const std::vector<double>& distances);
+
+/// Quantile q in [0, 1] of ascending values, linear between ranks (Hyndman & Fan 1996, type 7); NaN of none.
+double quantile(const std::vector<double>& ascending, double q);
+
+}  // namespace scarp

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "solver/model/error.hpp"
+#include "solver/store/model_store.hpp"
+#include "tools/pipeline/pipeline.hpp"
+#include "tools/pipeline/read_artefacts.hpp"
+#include "tools/pipeline/read_inputs.hpp"
+#include "tools/pipeline/stopwatch.hpp"
+#include "tools/pipeline/summary.hpp"
+
+namespace scarp {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string volume_sentence(const VolumeReport& report) {
+  char text[256];
+  std::snprintf(text, sizeof text, "%s: %zu particles, %.6g m3 of %.6g m3 (%+.3f %%)", report.body.c_str(),
+                report.particles, report.particle_volume, report.input_volume, 100 * report.relative_difference());
+  return text;
+}
+
+}  // namespace
+
+void discretize_stage(Project& project) {
+  const Stopwatch watch;
+  project.reporter->begin("discretize");
+  const SiteFrame site = read_site(project);
+  std::map<std::string, PointCloud> scans;
+  for (const std::string& name : scans_of_bodies(project.scenario))
+    scans.emplace(name, read_cleaned_scan(project, name, site));
+  const Model model = build_model(project, scans, site);
+  write_model(project.artefacts.model(), model);
+
+  Json volumes = Json::array();
+  for (const VolumeReport& report : model.volumes) {
+    volumes.push_back(to_json(report));
+    project.reporter->note(volume_sentence(report));
+    if (report.mean_thickness_in_cells > 0 && report.mean_thickness_in_cells < 3)
+      project.reporter->note(report.body + " is on average only " + shortest(report.mean_thickness_in_cells) +
+                             " cells thick; bending and failure need at least 3");
+    if (report.self_intersecting) project.reporter->note("the mesh of " + report.body + " intersects itself; its volume is not to be trusted");
+  }
+  record_summary(project, "discretize",
+                 {{"particles", model.particles.size()}, {"volumes", volumes}, {"wall_s", watch.wall()}});
+  project.reporter->end();
+}
+
+}  // namespace scarp

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/pipeline/write_run.hpp"
+
+#include "solver/core/make_frame.hpp"
+#include "solver/model/error.hpp"
+#include "solver/model/write_whole.hpp"
+#include "solver/store/frame_store.hpp"
+
+namespace scarp {
+namespace {
+
+namespace fs = std::filesystem;
+
+void clear_earlier_run(const Artefacts& artefacts) {
+  fs::remove(artefacts.series());
+  fs::remove(artefacts.history());
+  if (!fs::exists(artefacts.frames())) return;
+  std::vector<fs::path> stale;
+  for (const fs::directory_entry& entry : fs::directory_iterator(artefacts.frames()))
+    if (entry.path().filename().string().rfind("frame_", 0) == 0) stale.push_back(entry.path());
+  for (const fs::path& path : stale) fs::remove(path);
+}
+
+}  // namespace
+
+RunWriter::RunWriter(const Project& project) : project_(project) {
+  clear_earlier_run(project.artefacts);
+  history_ = "time,step,dt,kinetic,strain,plastic,potential,total,momentum_x,momentum_y,momentum_z\n";
+}
+
+void RunWriter::frame(const Model& model, double time, std::int64_t step) {
+  const Stopwatch watch;
+  const fs::path path = project_.artefacts.frame(static_cast<std::int64_t>(series_.size()));
+  write_frame(path, make_frame(model, project_.scenario.output.fields, time, step));
+  series_.emplace_back((fs::path("frames") / path.filename()).string(), time);
+  write_series(project_.artefacts.series(), series_);
+  write_whole(project_.artefacts.history(), history_);
+  wall_ += watch.wall();
+  processor_ += watch.processor();
+}
+
+void RunWriter::sample(const HistorySample& sample) {
+  const auto append = [&](double value, char end) {
+    history_ += shortest(value);
+    history_ += end;
+  };
+  append(sample.time, ',');
+  history_ += std::to_string(sample.step) + ',';
+  for (double value : {sample.dt, sample.kinetic, sample.strain, sample.plastic, sample.potential, sample.total,
+                       sample.momentum[0], sample.momentum[1]})
+    append(value, ',');
+  append(sample.momentum[2], '\n');
+}
+
+void RunWriter::progress(double time, double end_time, std::int64_t, double) {
+  project_.reporter->progress(time / end_time);
+}
+
+void RunWriter::finish() { write_whole(project_.artefacts.history(), history_); }
+
+}  // namespace scarp

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/core/frame_sink.hpp"
+#include "tools/pipeline/pipeline.hpp"
+#include "tools/pipeline/stopwatch.hpp"
+
+namespace scarp {
+
+/// Receives a run and keeps it: a file per frame, their list and the history up to the last frame. What has its
+/// final name is whole at any moment.
+class RunWriter : public FrameSink {
+ public:
+  /// Clears what an earlier run left, so that frames of two runs never mix.
+  explicit RunWriter(const Project& project);
+
+  void frame(const Model& model, double time, std::int64_t step) override;
+  void sample(const HistorySample& sample) override;
+  void progress(double time, double end_time, std::int64_t step, double dt) override;
+  /// Writes the samples since the last frame.
+  void finish();
+
+  std::size_t frames() const { return series_.size(); }
+  /// Time spent in here, to be taken off the solver's.
+  double wall() const { return wall_; }
+  double processor() const { return processor_; }
+
+ private:
+  const Project& project_;
+  std::vector<std::pair<std::string, double>> series_;
+  std::string history_;
+  double wall_ = 0, processor_ = 0;
+};
+
+}  // namespace scarp

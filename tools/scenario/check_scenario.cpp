@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/scenario/check_scenario.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "solver/materials/law.hpp"
+#include "tools/scenario/resolve.hpp"
+#include "tools/scenario/schema_kinds.hpp"
+#include "tools/scenario/suggest.hpp"
+
+namespace scarp {
+namespace {
+
+using Steps = std::vector<std::string>;
+
+Steps operator+(Steps steps, const std::string& step) {
+  steps.push_back(step);
+  return steps;
+}
+
+class Checker {
+ public:
+  Checker(const Scenario& scenario, const Node& root) : scenario_(scenario), root_(root) {}
+
+  void run() const {
+    check_domain();
+    check_names("scans", scan_names());
+    check_names("bodies", names_of(scenario_.bodies));
+    check_names("render", names_of(scenario_.render));
+    for (std::size_t i = 0; i < scenario_.scans.size(); ++i) check_scan(i);
+    check_materials();
+    if (scenario_.bodies.empty()) fail({"bodies"}, "a scenario needs at least one body", "[[bodies]]");
+    for (std::size_t i = 0; i < scenario_.bodies.size(); ++i) check_body(i);
+    check_unique_fields();
+    for (std::size_t i = 0; i < scenario_.render.size(); ++i) check_render(i);
+    for (std::size_t i = 0; i < scenario_.compare.size(); ++i)
+      check_reference({"compare", std::to_string(i), "observed"}, scenario_.compare[i].observed, "scan", scan_names());
+    check_names("compare", compare_names());
+  }
+
+ private:
+  bool flat() const { return scenario_.domain.dimension == 2; }
+
+  [[noreturn]] void fail(const Steps& steps, const std::string& what, const std::string& allowed = {}) const {
+    refuse(nearest_node(root_, steps), what, allowed);
+  }
+
+  /// "bodies.slide.material": as in --set.
+  std::string path_of(const Steps& steps) const {
+    std::string path;
+    const Node* node = &root_;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const Node& next = nearest_node(root_, Steps(steps.begin(), steps.begin() + static_cast<long>(i) + 1));
+      const Node* name = node->is_array() ? next.find("name") : nullptr;
+      path += (i ? "." : "") + (name && name->is_string() ? shortened(name->text) : shortened(steps[i]));
+      node = &next;
+    }
+    return path;
+  }
+
+  template <class List>
+  static Steps names_of(const List& list) {
+    Steps names;
+    for (const auto& entry : list) names.push_back(entry.name);
+    return names;
+  }
+  Steps scan_names() const { return names_of(scenario_.scans); }
+  Steps material_names() const {
+    Steps names;
+    for (const auto& [name, law] : scenario_.materials) names.push_back(name);
+    return names;
+  }
+  Steps compare_names() const {
+    Steps names;
+    for (const CompareOptions& compare : scenario_.compare)
+      names.push_back(compare.name.empty() ? default_name(compare) : compare.name);
+    return names;
+  }
+
+  /// Names become the stems of files, and two of a kind would overwrite each other.
+  void check_names(const std::string& list, const Steps& names) const {
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const Steps steps{list, std::to_string(i), "name"};
+      const std::string& name = names[i];
+      const bool is_stem =
+          !name.empty() && name.size() <= 100 && name[0] != '.' && std::none_of(name.begin(), name.end(), [](char c) {
+            return static_cast<unsigned char>(c) < ' ' || c == 0x7f || c == '/' || c == '\\';
+          });
+      if (!is_stem)
+        fail(steps, list + "." + std::to_string(i) + ".name cannot name a file",
+             "1 to 100 characters without slashes, not starting with a dot");
+      if (!seen.insert(name).second)
+        fail(steps, "two entries of " + list + " are named \"" + name + "\"", "names that differ");
+    }
+  }
+
+  void check_reference(const Steps& steps, const std::string& name, const std::string& what, const Steps& known) const {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return;
+    fail(steps, path_of(steps) + ": there is no " + what + " of this name" + did_you_mean(name, known),
+         known.empty() ? "no " + what + " is defined" : quoted_list(known));
+  }
+
+  /// Both corners stand in the table at `steps`.
+  void check_corners(const Steps& steps, const Vec3& min, const Vec3& max, int dimension) const {
+    for (int a = 0; a < dimension; ++a)
+      if (!(min[a] < max[a]))
+        fail(steps + "max", path_of(steps + "max") + " must lie above min in " + "xyz"[a], "above " + shortest(min[a]));
+  }
+
+  void check_polygon(const Steps& steps, const std::vector<Vec2>& polygon) const {
+    if (polygon.size() < 3) fail(steps, path_of(steps) + " is not a polygon", "at least 3 corners");
+  }
+
+  void check_domain() const {
+    const DomainOptions& domain = scenario_.domain;
+    if (domain.min && domain.max) check_corners({"domain"}, *domain.min, *domain.max, domain.dimension);
+    const BoundaryOptions& faces = domain.boundary;
+    if (flat() && (faces.z_min != Condition::free || faces.z_max != Condition::free))
+      fail({"domain", "boundary", faces.z_min != Condition::free ? "z_min" : "z_max"},
+           "plane strain (domain.dimension = 2) has no faces in z", "x_min, x_max, y_min, y_max");
+  }
+
+  void check_scan(std::size_t i) const {
+    const ScanOptions& scan = scenario_.scans[i];
+    const Steps steps{"scans", std::to_string(i)};
+    if (scan.file && scan.synthetic)
+      fail(steps + "synthetic", path_of(steps) + " has both \"file\" and \"synthetic\"", "one of them");
+    if (!scan.file && !scan.synthetic)
+      fail(steps, path_of(steps) + " needs a \"file\", or \"synthetic\" to make one", "one of them");
+    for (std::size_t c = 0; c < scan.clean.size(); ++c)
+      if (const auto* crop = std::get_if<Crop>(&scan.clean[c]))
+        check_corners(steps + "clean" + std::to_string(c), crop->min, crop->max, 3);
+  }
+
+  void check_materials() const {
+    for (const auto& [name, material] : scenario_.materials) {
+      std::visit(
+          [&, &key = name](const auto& law) {
+            if constexpr (requires { law.friction_angle, law.dilatancy_angle; })
+              if (law.dilatancy_angle > law.friction_angle)
+                fail({"materials", key, "dilatancy_angle"},
+                     "materials." + key + ".dilatancy_angle must not exceed the friction angle",
+                     "at most " + shortest(law.friction_angle) + " deg");
+          },
+          material);
+      validate(material, name, location(nearest_node(root_, {"materials", name}).place));
+    }
+  }
+
+  void check_body(std::size_t i) const {
+    const BodyOptions& body = scenario_.bodies[i];
+    const Steps steps{"bodies", std::to_string(i)};
+    check_reference(steps + "material", body.material, "material", material_names());
+    check_points_per_cell(steps + "points_per_cell", body.points_per_cell);
+    check_volume(steps + "volume", body.volume);
+    for (std::size_t r = 0; r < body.materials.size(); ++r)
+      check_rule(steps + "materials" + std::to_string(r), body.materials[r], body.volume);
+  }
+
+  void check_points_per_cell(const Steps& steps, int points) const {
+    if (points == 0) return;
+    std::string allowed;
+    for (int n = 1; n <= 10; ++n) {
+      const int full = flat() ? n * n : n * n * n;
+      if (full == points) return;
+      allowed += std::to_string(full) + ", ";
+    }
+    fail(steps, path_of(steps) + " must be a " + (flat() ? "square" : "cube") + " in " + (flat() ? "2D" : "3D"),
+         allowed + "... (0 for the default)");
+  }
+
+  void need_dimension(const Steps& steps, std::string_view shape, int dimension) const {
+    if (scenario_.domain.dimension == dimension) return;
+    fail(steps + std::string(shape), path_of(steps) + ": \"" + std::string(shape) + "\" is for " +
+                                         std::to_string(dimension) + "D only, and domain.dimension is " +
+                                         std::to_string(scenario_.domain.dimension));
+  }
+
+  void check_volume(const Steps& steps, const Volume& volume) const {
+    if (const auto* scan = std::get_if<ScanVolume>(&volume)) {
+      need_dimension(steps, "scan", 3);
+      check_scan_volume(steps, *scan);
+    } else if (const auto* box = std::get_if<BoxVolume>(&volume)) {
+      check_corners(steps + "box", box->box.min, box->box.max, scenario_.domain.dimension);
+    } else if (std::holds_alternative<DiskVolume>(volume)) {
+      need_dimension(steps, "disk", 2);
+    } else if (std::holds_alternative<SphereVolume>(volume)) {
+      need_dimension(steps, "sphere", 3);
+    } else if (const auto* polygon = std::get_if<PolygonVolume>(&volume)) {
+      need_dimension(steps, "polygon", 2);
+      check_polygon(steps + "polygon", polygon->polygon);
+    } else if (std::holds_alternative<MeshVolume>(volume)) {
+      need_dimension(steps, "mesh", 3);
+    }
+  }
+
+  void check_scan_volume(const Steps& steps, const ScanVolume& volume) const {
+    check_reference(steps + "scan", volume.scan, "scan", scan_names());
+    const bool by_depth = volume.close == Closing::depth;
+    if (by_depth && !volume.depth) fail(steps, path_of(steps) + ": close = \"depth\" needs the key \"depth\"");
+    if (!by_depth && !volume.base_elevation)
+      fail(steps, path_of(steps) + ": close = \"plane\" needs the key \"base_elevation\"");
+    if (by_depth && volume.base_elevation)
+      fail(steps + "base_elevation", path_of(steps + "base_elevation") + " is for close = \"plane\"");
+    if (!by_depth && volume.depth) fail(steps + "depth", path_of(steps + "depth") + " is for close = \"depth\"");
+    if (!volume.outline.empty()) check_polygon(steps + "outline", volume.outline);
+  }
+
+  void check_rule(const Steps& steps, const MaterialRule& rule, const Volume& volume) const {
+    const std::string& use = std::visit([](const auto& r) -> const std::string& { return r.use; }, rule);
+    check_reference(steps + "use", use, "material", material_names());
+    if (const auto* box = std::get_if<BoxRule>(&rule))
+      check_corners(steps + "box", box->box.min, box->box.max, scenario_.domain.dimension);
+    if (const auto* prism = std::get_if<PrismRule>(&rule)) check_polygon(steps + "prism", prism->prism);
+    if (std::holds_alternative<BelowRule>(rule)) need_dimension(steps, "below", 3);
+    if (std::holds_alternative<ClassRule>(rule) && !std::holds_alternative<ScanVolume>(volume))
+      fail(steps + "class", path_of(steps) + ": classes come from scan points, and this body has no scan",
+           "a body whose volume is a scan");
+  }
+
+  void check_unique_fields() const {
+    std::set<OutputField> seen;
+    for (std::size_t i = 0; i < scenario_.output.fields.size(); ++i)
+      if (!seen.insert(scenario_.output.fields[i]).second)
+        fail({"output", "fields", std::to_string(i)}, "output.fields names a field twice");
+  }
+
+  /// "stress", or "stress.xy" for a component. A tensor without a scalar measure of its own needs a component.
+  void check_render_field(const Steps& at, const std::string& field) const {
+    Steps shown{"colour", "material", "body", "surface"};
+    for (const OutputField known : scenario_.output.fields) shown.emplace_back(name_of(known));
+    const std::size_t dot = field.find('.');
+    const std::string base = field.substr(0, dot);
+    if (std::find(shown.begin(), shown.end(), base) == shown.end()) {
+      const Steps all = enumerator_names<OutputField>();
+      if (std::find(all.begin(), all.end(), base) != all.end())
+        fail(at, path_of(at) + ": the field \"" + base + "\" is not in output.fields", quoted_list(shown));
+      fail(at, path_of(at) + " is unknown" + did_you_mean(base, shown), quoted_list(shown));
+    }
+    const Steps components = components_of(base);
+    if (dot == std::string::npos) {
+      if (base == name_of(OutputField::deformation_gradient))
+        fail(at, path_of(at) + " needs a component of the tensor",
+             "\"" + base + ".\" and one of " + quoted_list(components));
+      return;
+    }
+    const std::string component = field.substr(dot + 1);
+    if (std::find(components.begin(), components.end(), component) == components.end())
+      fail(at, path_of(at) + ": \"" + base + "\" has no component \"" + component + "\"",
+           components.empty() ? "\"" + base + "\"" : quoted_list(components));
+  }
+
+  static Steps components_of(const std::string& field) {
+    if (field == name_of(OutputField::displacement) || field == name_of(OutputField::velocity)) return {"x", "y", "z"};
+    if (field == name_of(OutputField::stress)) return {"xx", "yy", "zz", "xy", "yz", "xz"};
+    if (field == name_of(OutputField::deformation_gradient))
+      return {"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
+    return {};
+  }
+
+  void check_render(std::size_t i) const {
+    const RenderOptions& render = scenario_.render[i];
+    const Steps steps{"render", std::to_string(i)};
+    check_render_field(steps + "colour" + "field", render.colour.field);
+    const auto& range = render.colour.range;
+    if (range && !((*range)[0] < (*range)[1]))
+      fail(steps + "colour" + "range", path_of(steps + "colour" + "range") + " must rise", "[lowest, highest]");
+    for (const auto& [key, pixels] : {std::pair("width", render.width), std::pair("height", render.height)})
+      if (pixels % 2 != 0) fail(steps + key, path_of(steps + key) + " must be even (videos need it)", "an even number");
+  }
+
+  const Scenario& scenario_;
+  const Node& root_;
+};
+
+}  // namespace
+
+void check_scenario(const Scenario& scenario, const Node& root) { Checker(scenario, root).run(); }
+
+}  // namespace scarp
