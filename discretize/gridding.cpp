@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "discretize/gridding.hpp"
 
+#include <cstdio>
 #include <limits>
 
 #include "solver/model/error.hpp"
@@ -13,6 +14,12 @@ namespace {
 /// sub-cell's centre to its cell's face, so that no point is gained or lost by it.
 constexpr double kSlack = 1e-6;
 constexpr char kAxes[] = "xyz";
+
+std::string three_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
 
 bool whole(double cells) { return std::abs(cells - std::round(cells)) <= kSlack * std::max(1.0, cells); }
 
@@ -106,7 +113,7 @@ SubLattice lay_lattice(const Domain& domain, const BodyOptions& options, const E
   const double points = extent.volume / std::pow(h / grid.per_cell, domain.dimension);
   if (!(columns <= kMostColumns) || !(points <= kMostParticles))
     throw Error("discretize", "body '" + options.name + "': too many material points",
-                "about " + shortest(std::round(points)) + " with cells of " + shortest(h) + " m and " +
+                "about " + three_digits(points) + " with cells of " + shortest(h) + " m and " +
                     std::to_string(grid.per_cell) + " points along each edge",
                 "at most 2e9 points in 1e9 columns: use larger cells");
   const auto axis = [&](int a) {

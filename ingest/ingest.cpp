@@ -31,13 +31,18 @@ std::string extent_of(const Box3& box, const Vec3& origin) {
   return text;
 }
 
+/// One cleaning step; what a filter refuses is said with the scan and the step.
 CleanReport apply_step(PointCloud& cloud, const ScanOptions& options, std::size_t step, int threads) {
   const Box3 before = bounds(cloud.positions);
-  const CleanReport report = clean(cloud, options.clean[step], threads);
+  const std::string here = source_of(options) + ": clean step " + std::to_string(step + 1);
+  CleanReport report;
+  try {
+    report = clean(cloud, options.clean[step], threads);
+  } catch (const Error& error) {
+    throw Error("ingest", here + ": " + error.what());
+  }
   if (cloud.empty())
-    throw Error("ingest",
-                source_of(options) + ": clean step " + std::to_string(step + 1) + " (" + report.filter +
-                    ") removes the last point",
+    throw Error("ingest", here + " (" + report.filter + ") removes the last point",
                 std::to_string(report.before) + " points within " + extent_of(before, cloud.site.origin),
                 "a step that keeps at least 1 point");
   return report;

@@ -10,13 +10,14 @@
 
 namespace scarp {
 
-/// Statistical outlier removal by PCL (Rusu et al. 2008, section 4.1): with d_i the mean distance of point i to its
-/// `neighbours` nearest others, keeps d_i <= mean(d) + deviations * std(d), std with n - 1. Returns the indices of
-/// what is kept, ascending.
+/// Statistical outlier removal by PCL (Rusu et al. 2008, doi:10.1016/j.robot.2008.08.005): with d_i the mean distance
+/// of point i to its `neighbours` nearest others, keeps d_i <= mean(d) + deviations * std(d), std with n - 1. Returns
+/// the indices of what is kept, ascending.
 ///
 /// One thread, about 6 us per point with 16 neighbours. Distances are those of single-precision coordinates relative to
 /// the middle of the cloud.
-/// @throws Error when the cloud has no more points than `neighbours`, or is wider than 100 km.
+/// @throws Error when the cloud has no more points than `neighbours`, is wider than 100 km, or has more
+/// than 10,000 points at one place (as where "no return" is written as zeros).
 std::vector<std::size_t> statistical_inliers(const std::vector<Vec3>& positions, const StatisticalOutlier& options);
 
 }  // namespace scarp

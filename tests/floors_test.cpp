@@ -27,10 +27,10 @@ struct Source {
 };
 
 const std::map<std::string, int> kFloors{
-    {"solver/model", 0},   {"solver/materials", 0}, {"solver/shapes", 0},   {"solver/kernels", 0},
-    {"solver/core", 1},    {"ingest/neighbours", 1}, {"ingest", 2},          {"discretize", 2},
-    {"solver/store", 2},   {"tools/render", 2},      {"tools/compare", 2},   {"tools/synth", 2},
-    {"tools/pipeline", 3}, {"tools/scenario", 3},    {"tools/report", 3},    {"tools/cli", 4}};
+    {"solver/model", 0},   {"solver/materials", 0},  {"solver/shapes", 0}, {"solver/kernels", 0},
+    {"solver/core", 1},    {"ingest/neighbours", 1}, {"ingest", 2},        {"discretize", 2},
+    {"solver/store", 2},   {"tools/render", 2},      {"tools/compare", 2}, {"tools/synth", 2},
+    {"tools/pipeline", 3}, {"tools/scenario", 3},    {"tools/report", 3},  {"tools/cli", 4}};
 
 /// Which rooms may include what starts so.
 const std::vector<std::pair<std::string, std::set<std::string>>> kOwners{
@@ -48,9 +48,7 @@ const std::vector<std::pair<std::string, std::set<std::string>>> kOwners{
     {"omp.h", {"solver/core"}},
     {"chrono", {"tools/cli", "tools/pipeline"}}};
 
-std::string without_comments(const std::string& text) {
-  return std::regex_replace(text, std::regex("//[^\n]*"), "");
-}
+std::string without_comments(const std::string& text) { return std::regex_replace(text, std::regex("//[^\n]*"), ""); }
 
 std::string room_of(const std::string& path) {
   std::string best;
@@ -122,10 +120,14 @@ TEST(Floors, HeavyLibrariesStayInTheirRoomAndOutOfHeaders) {
 }
 
 TEST(Floors, OnlyTheCommandLinePrintsExitsOrAsksTheSystem) {
-  const std::vector<std::regex> forbidden{
-      std::regex(R"(std::c(out|err|log)\b)"), std::regex(R"((^|[^a-z_])f?printf\s*\()"), std::regex(R"(\bputs\s*\()"),
-      std::regex(R"((^|[^a-z_:.>])(std::)?(exit|abort|_Exit|quick_exit)\s*\()"), std::regex(R"(\bgetenv\b)"),
-      std::regex(R"(\brandom_device\b)"), std::regex(R"(\bsrand\b|\brand\s*\()"), std::regex(R"(catch\s*\([^)]*\)\s*\{\s*\})")};
+  const std::vector<std::regex> forbidden{std::regex(R"(std::c(out|err|log)\b)"),
+                                          std::regex(R"((^|[^a-z_])f?printf\s*\()"),
+                                          std::regex(R"(\bputs\s*\()"),
+                                          std::regex(R"((^|[^a-z_:.>])(std::)?(exit|abort|_Exit|quick_exit)\s*\()"),
+                                          std::regex(R"(\bgetenv\b)"),
+                                          std::regex(R"(\brandom_device\b)"),
+                                          std::regex(R"(\bsrand\b|\brand\s*\()"),
+                                          std::regex(R"(catch\s*\([^)]*\)\s*\{\s*\})")};
   for (const Source& source : sources()) {
     if (source.path.rfind("tests/", 0) == 0 || source.room == "tools/cli") continue;
     for (const std::regex& pattern : forbidden) {
@@ -139,7 +141,8 @@ TEST(Floors, OnlyTheCommandLinePrintsExitsOrAsksTheSystem) {
 
 TEST(Floors, FilesAreOpenedOnlyWhereTheNameSaysSo) {
   // Provenance hashes inputs, the summary and info read artefacts: the pipeline's own business.
-  const std::set<std::string> also{"tools/pipeline/provenance.cpp", "tools/pipeline/summary.cpp", "tools/pipeline/info.cpp"};
+  const std::set<std::string> also{"tools/pipeline/provenance.cpp", "tools/pipeline/summary.cpp",
+                                   "tools/pipeline/info.cpp"};
   for (const Source& source : sources()) {
     if (source.path.rfind("tests/", 0) == 0) continue;
     const std::string name = fs::path(source.path).filename();
@@ -152,7 +155,9 @@ TEST(Floors, FilesAreOpenedOnlyWhereTheNameSaysSo) {
 
 TEST(Floors, EveryFileCarriesItsLicence) {
   for (const Source& source : sources()) {
-    EXPECT_EQ(source.raw.rfind("// SPDX-FileCopyrightText: The scarp developers\n// SPDX-License-Identifier: GPL-3.0-or-later\n", 0), 0u)
+    EXPECT_EQ(source.raw.rfind(
+                  "// SPDX-FileCopyrightText: The scarp developers\n// SPDX-License-Identifier: GPL-3.0-or-later\n", 0),
+              0u)
         << source.path;
   }
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <nanoflann.hpp>
 #include <numeric>
+#include <span>
 
 #include "solver/model/error.hpp"
 
@@ -31,39 +32,55 @@ struct Positions {
 /// and sums its distances to branches in another order than ours; what it offers too much is refused exactly.
 double lenient(double squared_distance) { return squared_distance * (1 + 1e-10) + std::numeric_limits<double>::min(); }
 
+/// Which of the caller's points lie at each place of the tree: those of place i are
+/// points[begin[i]] ... points[begin[i + 1] - 1], ascending.
+struct Members {
+  std::vector<std::uint32_t> begin;
+  std::vector<std::uint32_t> points;
+
+  std::span<const std::uint32_t> of(std::uint32_t place) const {
+    return {points.data() + begin[place], points.data() + begin[place + 1]};
+  }
+};
+
+// What the tree asks of a result: worstDist, and addPoint(squared distance, place), which returns whether to go on.
+
 class Closest {
  public:
-  Closest(double squared_limit, const std::vector<std::uint32_t>& original)
-      : best_{std::numeric_limits<std::size_t>::max(), squared_limit}, original_(original) {}
+  Closest(double squared_limit, const Members& members) : best_{kNone, squared_limit}, members_(members) {}
 
   double worstDist() const { return lenient(best_.squared_distance); }
   bool full() const { return true; }
-  bool addPoint(double squared_distance, std::uint32_t stored) {
-    best_ = std::min(best_, Neighbour{original_[stored], squared_distance});
+  bool addPoint(double squared_distance, std::uint32_t place) {
+    best_ = std::min(best_, Neighbour{members_.of(place).front(), squared_distance});
     return true;
   }
-  std::optional<Neighbour> found() const {
-    if (best_.index == std::numeric_limits<std::size_t>::max()) return std::nullopt;
-    return best_;
-  }
+  std::optional<Neighbour> found() const { return best_.index == kNone ? std::nullopt : std::optional(best_); }
 
  private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   Neighbour best_;
-  const std::vector<std::uint32_t>& original_;
+  const Members& members_;
 };
 
 /// The k best so far, in a heap with the worst of them on top.
 class KNearest {
  public:
-  KNearest(std::size_t k, const std::vector<std::uint32_t>& original, std::vector<Neighbour>& heap)
-      : k_(k), original_(original), heap_(heap) {}
+  KNearest(std::size_t k, const Members& members, std::vector<Neighbour>& heap)
+      : k_(k), members_(members), heap_(heap) {}
 
   double worstDist() const { return full() ? lenient(heap_.front().squared_distance) : INFINITY; }
   bool full() const { return heap_.size() == k_; }
-  bool addPoint(double squared_distance, std::uint32_t stored) {
-    const Neighbour candidate{original_[stored], squared_distance};
+  bool addPoint(double squared_distance, std::uint32_t place) {
+    for (std::uint32_t index : members_.of(place))
+      if (!offer({index, squared_distance})) break;  // the rest, of higher index, is no better
+    return true;
+  }
+
+ private:
+  bool offer(const Neighbour& candidate) {
     if (full()) {
-      if (!(candidate < heap_.front())) return true;
+      if (!(candidate < heap_.front())) return false;
       std::pop_heap(heap_.begin(), heap_.end());
       heap_.pop_back();
     }
@@ -72,27 +89,27 @@ class KNearest {
     return true;
   }
 
- private:
   std::size_t k_;
-  const std::vector<std::uint32_t>& original_;
+  const Members& members_;
   std::vector<Neighbour>& heap_;
 };
 
 class Within {
  public:
-  Within(double squared_radius, const std::vector<std::uint32_t>& original, std::vector<Neighbour>& found)
-      : limit_(squared_radius), original_(original), found_(found) {}
+  Within(double squared_radius, const Members& members, std::vector<Neighbour>& found)
+      : limit_(squared_radius), members_(members), found_(found) {}
 
   double worstDist() const { return lenient(limit_); }
   bool full() const { return true; }
-  bool addPoint(double squared_distance, std::uint32_t stored) {
-    if (squared_distance <= limit_) found_.push_back({original_[stored], squared_distance});
+  bool addPoint(double squared_distance, std::uint32_t place) {
+    if (squared_distance <= limit_)
+      for (std::uint32_t index : members_.of(place)) found_.push_back({index, squared_distance});
     return true;
   }
 
  private:
   double limit_;
-  const std::vector<std::uint32_t>& original_;
+  const Members& members_;
   std::vector<Neighbour>& found_;
 };
 
@@ -113,28 +130,61 @@ struct Neighbours::Tree {
   using Metric = nanoflann::L2_Simple_Adaptor<double, Positions, double, std::uint32_t>;
   using Index = nanoflann::KDTreeSingleIndexAdaptor<Metric, Positions, 3, std::uint32_t>;
 
-  explicit Tree(const std::vector<Vec3>& values)
-      : positions{checked(values)}, index(3, positions, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize)) {
-    store_leaf_by_leaf(values);
+  explicit Tree(const std::vector<Vec3>& values) : size(checked(values).size()) {
+    std::vector<std::uint32_t> order(size);
+    std::iota(order.begin(), order.end(), std::uint32_t{0});
+    build(values, order, false);
+    // Searches look at every point that is as near as the best one. Where thousands share a place that would cost
+    // more than sorting them out once.
+    if (repeats() <= kFewRepeats) return;
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return values[a] != values[b] ? values[a] < values[b] : a < b; });
+    build(values, order, true);
+  }
+
+  /// A tree of the points in this order; of neighbours at the same place one stands for all if they are to be merged.
+  void build(const std::vector<Vec3>& values, const std::vector<std::uint32_t>& order, bool merge) {
+    positions.values.clear();
+    std::vector<std::uint32_t> begin;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (merge && i > 0 && values[order[i]] == values[order[i - 1]]) continue;
+      positions.values.push_back(values[order[i]]);
+      begin.push_back(static_cast<std::uint32_t>(i));
+    }
+    begin.push_back(static_cast<std::uint32_t>(order.size()));
+    index.emplace(3, positions, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafSize));
+    store_leaf_by_leaf(begin, order);
   }
 
   /// A leaf's points are read together, so they are stored together: searches of large clouds wait for memory.
-  void store_leaf_by_leaf(const std::vector<Vec3>& values) {
-    original.swap(index.vAcc);
-    index.vAcc.resize(original.size());
-    std::iota(index.vAcc.begin(), index.vAcc.end(), std::uint32_t{0});
-    for (std::size_t i = 0; i < original.size(); ++i) positions.values[i] = values[original[i]];
+  void store_leaf_by_leaf(const std::vector<std::uint32_t>& begin, const std::vector<std::uint32_t>& order) {
+    const std::vector<Vec3> places = positions.values;
+    members = {{0}, {}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      std::uint32_t& place = index->vAcc[i];
+      positions.values[i] = places[place];
+      members.points.insert(members.points.end(), order.begin() + begin[place], order.begin() + begin[place + 1]);
+      members.begin.push_back(static_cast<std::uint32_t>(members.points.size()));
+      place = static_cast<std::uint32_t>(i);
+    }
+  }
+
+  std::size_t repeats() const {
+    std::size_t count = 0;
+    for (std::size_t i = 1; i < positions.values.size(); ++i) count += positions.values[i] == positions.values[i - 1];
+    return count;
   }
 
   template <class ResultSet>
   void search(ResultSet& result, const Vec3& query) const {
-    if (!positions.values.empty() && is_finite(query))
-      index.findNeighbors(result, query.data(), nanoflann::SearchParams());
+    if (size > 0 && is_finite(query)) index->findNeighbors(result, query.data(), nanoflann::SearchParams());
   }
 
-  Positions positions;                  ///< in the order of the leaves
-  std::vector<std::uint32_t> original;  ///< index that the caller knows each of them by
-  Index index;
+  static constexpr std::size_t kFewRepeats = 2000;
+  std::size_t size;
+  Positions positions;  ///< in the order of the leaves
+  Members members;
+  std::optional<Index> index;
 };
 
 Neighbours::Neighbours(const std::vector<Vec3>& positions) : tree_(std::make_unique<Tree>(positions)) {}
@@ -142,14 +192,14 @@ Neighbours::~Neighbours() = default;
 Neighbours::Neighbours(Neighbours&&) noexcept = default;
 Neighbours& Neighbours::operator=(Neighbours&&) noexcept = default;
 
-std::size_t Neighbours::size() const { return tree_->positions.values.size(); }
+std::size_t Neighbours::size() const { return tree_->size; }
 
 void Neighbours::nearest(const Vec3& query, std::size_t k, std::vector<Neighbour>& found) const {
   found.clear();
   k = std::min(k, size());
   if (k == 0) return;
   found.reserve(k);
-  KNearest result(k, tree_->original, found);
+  KNearest result(k, tree_->members, found);
   tree_->search(result, query);
   std::sort_heap(found.begin(), found.end());
 }
@@ -163,7 +213,7 @@ std::vector<Neighbour> Neighbours::nearest(const Vec3& query, std::size_t k) con
 void Neighbours::within(const Vec3& query, double radius, std::vector<Neighbour>& found) const {
   found.clear();
   if (!(radius >= 0)) return;
-  Within result(radius * radius, tree_->original, found);
+  Within result(radius * radius, tree_->members, found);
   tree_->search(result, query);
   std::sort(found.begin(), found.end());
 }
@@ -176,7 +226,7 @@ std::vector<Neighbour> Neighbours::within(const Vec3& query, double radius) cons
 
 std::optional<Neighbour> Neighbours::closest(const Vec3& query, double max_distance) const {
   if (!(max_distance >= 0)) return std::nullopt;
-  Closest result(max_distance * max_distance, tree_->original);
+  Closest result(max_distance * max_distance, tree_->members);
   tree_->search(result, query);
   return result.found();
 }

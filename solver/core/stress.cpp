@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/core/stress.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/core/linear_cell.hpp"
@@ -68,6 +69,7 @@ inline void sweep_particles(const Sweep& sweep, const Law& law, std::size_t begi
                             typename LinearCell<D>::Values (&sums)[D]) {
   Particles& particles = sweep.particles;
   const double per_cell = 1 / sweep.body.grid.cell;
+  double largest = task.largest_wave_speed_squared;
   typename LinearCell<D>::Values m;
   for (std::size_t p = begin; p < end; ++p) {
     LinearCell<D>::monomials(sweep.body.grid.xi[p - sweep.body.begin], m);
@@ -85,11 +87,12 @@ inline void sweep_particles(const Sweep& sweep, const Law& law, std::size_t begi
       }
       const double c2 = law.wave_speed_squared(motion, history);
       valid = std::isfinite(c2 + sigma[0] + sigma[1] + sigma[2] + sigma[3] + sigma[4] + sigma[5]);
-      if (c2 > task.largest_wave_speed_squared) task.largest_wave_speed_squared = c2;
+      largest = std::max(largest, c2);
       add_force<D>(sums, m, first_piola(sigma, motion.cofactor), -particles.reference_volume[p] * per_cell);
     }
     if (!valid && task.bad_particle < 0) task.bad_particle = static_cast<std::int64_t>(p);
   }
+  task.largest_wave_speed_squared = largest;
 }
 
 template <int D>

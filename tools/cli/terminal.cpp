@@ -17,7 +17,8 @@ std::string duration(double seconds) {
   else if (seconds < 3600)
     std::snprintf(text, sizeof text, "%d min %02d s", static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
   else
-    std::snprintf(text, sizeof text, "%d h %02d min", static_cast<int>(seconds) / 3600, static_cast<int>(seconds) / 60 % 60);
+    std::snprintf(text, sizeof text, "%d h %02d min", static_cast<int>(seconds) / 3600,
+                  static_cast<int>(seconds) / 60 % 60);
   return text;
 }
 
@@ -32,7 +33,8 @@ std::string json_string(const std::string& text) {
 
 }  // namespace
 
-Terminal::Terminal(ProgressStyle style, bool quiet) : style_(style), quiet_(quiet), is_terminal_(isatty(STDERR_FILENO)) {}
+Terminal::Terminal(ProgressStyle style, bool quiet)
+    : style_(style), quiet_(quiet), is_terminal_(isatty(STDERR_FILENO)) {}
 
 double Terminal::elapsed() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -72,10 +74,11 @@ void Terminal::draw_bar(double fraction) {
   drawn_ = now;
   constexpr int width = 40;
   const int filled = static_cast<int>(fraction * width);
-  const std::string bar = std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(width - filled), '.');
+  const std::string bar =
+      std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(width - filled), '.');
   const double left = fraction > 0 ? elapsed() * (1 - fraction) / fraction : 0;
-  std::fprintf(stderr, "\r\033[K%-10s [%s] %3d %%  %s left", stage_.c_str(), bar.c_str(), static_cast<int>(fraction * 100),
-               duration(left).c_str());
+  std::fprintf(stderr, "\r\033[K%-10s [%s] %3d %%  %s left", stage_.c_str(), bar.c_str(),
+               static_cast<int>(fraction * 100), duration(left).c_str());
   std::fflush(stderr);
 }
 
@@ -97,11 +100,13 @@ void Terminal::note(const std::string& text) {
 void Terminal::end() {
   if (quiet_) return;
   if (style_ == ProgressStyle::json) {
-    std::fprintf(stderr, "{\"stage\":%s,\"event\":\"end\",\"elapsed_s\":%.2f}\n", json_string(stage_).c_str(), elapsed());
+    std::fprintf(stderr, "{\"stage\":%s,\"event\":\"end\",\"elapsed_s\":%.2f}\n", json_string(stage_).c_str(),
+                 elapsed());
     return;
   }
   clear_bar();
-  if (style_ == ProgressStyle::automatic) std::fprintf(stderr, "%s done in %s\n", stage_.c_str(), duration(elapsed()).c_str());
+  if (style_ == ProgressStyle::automatic)
+    std::fprintf(stderr, "%s done in %s\n", stage_.c_str(), duration(elapsed()).c_str());
 }
 
 }  // namespace scarp

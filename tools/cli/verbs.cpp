@@ -29,21 +29,25 @@ struct CommonOptions {
 
 void add_common(CLI::App& verb, CommonOptions& options, bool writes) {
   if (writes)
-    verb.add_option("-o,--output", options.output, "output folder; default: out/NAME, NAME being the scenario's folder or file");
+    verb.add_option("-o,--output", options.output,
+                    "output folder; default: out/NAME, NAME being the scenario's folder or file");
   verb.add_option("--set", options.overrides, "key.path=value: overrides a key of the scenario; repeatable")
       ->take_all()
       ->allow_extra_args(false);
-  verb.add_option("--threads", options.threads, "number of threads; results do not depend on it")->check(CLI::Range(1, 1024));
+  verb.add_option("--threads", options.threads, "number of threads; results do not depend on it")
+      ->check(CLI::Range(1, 1024));
   verb.add_flag("--quiet", options.quiet, "print nothing but errors");
   static const std::map<std::string, ProgressStyle> styles{
       {"auto", ProgressStyle::automatic}, {"json", ProgressStyle::json}, {"none", ProgressStyle::none}};
-  verb.add_option("--progress", options.progress, "auto, json or none")->transform(CLI::CheckedTransformer(styles, CLI::ignore_case));
+  verb.add_option("--progress", options.progress, "auto, json or none")
+      ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case));
 }
 
 /// out/hillside for datasets/hillside/scenario.toml, out/slope for slope.toml.
 fs::path default_output(const fs::path& scenario) {
   const fs::path absolute = fs::absolute(scenario).lexically_normal();
-  return fs::path("out") / (absolute.filename() == "scenario.toml" ? absolute.parent_path().filename() : absolute.stem());
+  return fs::path("out") /
+         (absolute.filename() == "scenario.toml" ? absolute.parent_path().filename() : absolute.stem());
 }
 
 Project open(const CommonOptions& options, Reporter& reporter) {
@@ -54,22 +58,24 @@ Project open(const CommonOptions& options, Reporter& reporter) {
 ExitCode conclude(const Outcome& outcome) {
   if (outcome.simulation_failed) {
     const Failure& failure = outcome.failure;
-    std::fprintf(stderr, "scarp: error: the simulation failed at step %lld, t = %.9g s", static_cast<long long>(failure.step),
-                 failure.time);
+    std::fprintf(stderr, "scarp: error: the simulation failed at step %lld, t = %.9g s",
+                 static_cast<long long>(failure.step), failure.time);
     if (failure.particle >= 0)
       std::fprintf(stderr, ", particle %lld at (%.6g, %.6g, %.6g)", static_cast<long long>(failure.particle),
                    outcome.failure_site[0], outcome.failure_site[1], outcome.failure_site[2]);
     std::fprintf(stderr, ": %s\n", failure.what.c_str());
     return ExitCode::simulation_failed;
   }
-  for (const std::string& excess : outcome.exceeded) std::fprintf(stderr, "scarp: error: outside tolerance: %s\n", excess.c_str());
+  for (const std::string& excess : outcome.exceeded)
+    std::fprintf(stderr, "scarp: error: outside tolerance: %s\n", excess.c_str());
   return outcome.exceeded.empty() ? ExitCode::done : ExitCode::outside_tolerance;
 }
 
 using Stage = std::function<void(Project&, Outcome&)>;
 
 /// A verb that runs stages of a scenario.
-void add_stage(CLI::App& app, const char* name, const char* what, CommonOptions& options, ExitCode& result, Stage stage) {
+void add_stage(CLI::App& app, const char* name, const char* what, CommonOptions& options, ExitCode& result,
+               Stage stage) {
   CLI::App* verb = app.add_subcommand(name, what);
   verb->add_option("SCENARIO", options.scenario, "scenario file (TOML)")->required();
   add_common(*verb, options, true);
@@ -121,13 +127,17 @@ DistanceReport compare_two(const CompareArguments& arguments, const CommonOption
                            arguments.max_distance};
   if (request.name.empty()) request.name = request.simulated.stem().string() + "_" + request.observed.stem().string();
   if (!(request.max_distance > 0))
-    throw Error("compare", "--max-distance is needed to compare two files", shortest(request.max_distance), "above 0 m");
+    throw Error("compare", "--max-distance is needed to compare two files", shortest(request.max_distance),
+                "above 0 m");
   return compare_files(request, options.threads);
 }
 
 void add_compare(CLI::App& app, CommonOptions& options, CompareArguments& arguments, ExitCode& result) {
-  CLI::App* verb = app.add_subcommand("compare", "hold simulated clouds against observed ones: SCENARIO.toml, or SIMULATED OBSERVED");
-  verb->add_option("FILES", arguments.files, "SCENARIO.toml, or a simulated and an observed cloud or frame")->required()->expected(1, 2);
+  CLI::App* verb = app.add_subcommand(
+      "compare", "hold simulated clouds against observed ones: SCENARIO.toml, or SIMULATED OBSERVED");
+  verb->add_option("FILES", arguments.files, "SCENARIO.toml, or a simulated and an observed cloud or frame")
+      ->required()
+      ->expected(1, 2);
   verb->add_option("--method", arguments.method, "c2c: distance to the nearest point")->check(CLI::IsMember({"c2c"}));
   verb->add_option("--max-distance", arguments.max_distance, "beyond it a point has no counterpart, m");
   verb->add_option("--name", arguments.name, "stem of the result files");

@@ -28,9 +28,11 @@ std::string crs_line(const std::string& crs) { return "  CRS: " + (crs.empty() ?
 std::string las_info(const LasHeader& header) {
   std::string text = "LAS " + std::to_string(header.version_major) + "." + std::to_string(header.version_minor) +
                      ", point format " + std::to_string(header.point_format) +
-                     (header.compressed ? ", compressed (LAZ)" : "") + "\n  points: " + std::to_string(header.count) + "\n";
+                     (header.compressed ? ", compressed (LAZ)" : "") + "\n  points: " + std::to_string(header.count) +
+                     "\n";
   text += box_line(header.bounds);
-  text += "  scale: " + shortest(header.scale[0]) + " " + shortest(header.scale[1]) + " " + shortest(header.scale[2]) + "\n";
+  text += "  scale: " + shortest(header.scale[0]) + " " + shortest(header.scale[1]) + " " + shortest(header.scale[2]) +
+          "\n";
   if (!header.generating_software.empty()) text += "  written by: " + header.generating_software + "\n";
   return text + crs_line(header.crs);
 }
@@ -53,16 +55,19 @@ std::string cloud_info(const PointCloud& cloud) {
   add(!cloud.gps_time.empty(), "gps_time");
   add(!cloud.normals.empty(), "normals");
   for (const PointScalar& scalar : cloud.scalars) add(true, scalar.name);
-  return text + "  fields:" + (fields.empty() ? " none beside the coordinates" : fields) + "\n" + crs_line(cloud.site.crs);
+  return text + "  fields:" + (fields.empty() ? " none beside the coordinates" : fields) + "\n" +
+         crs_line(cloud.site.crs);
 }
 
 std::string frame_info(const Frame& frame) {
   std::string text = "frame\n  time: " + shortest(frame.time) + " s, step " + std::to_string(frame.step) +
-                     "\n  particles: " + std::to_string(frame.positions.size()) + "\n" + box_line(bounds(frame.positions));
+                     "\n  particles: " + std::to_string(frame.positions.size()) + "\n" +
+                     box_line(bounds(frame.positions));
   text += "  origin: " + shortest(frame.site.origin[0]) + " " + shortest(frame.site.origin[1]) + " " +
           shortest(frame.site.origin[2]) + "\n  fields:";
   for (const FrameField& field : frame.fields)
-    text += " " + field.name + "[" + std::to_string(field.components) + "]" + (field.unit == "1" ? "" : " (" + field.unit + ")");
+    text += " " + field.name + "[" + std::to_string(field.components) + "]" +
+            (field.unit == "1" ? "" : " (" + field.unit + ")");
   return text + "\n" + crs_line(frame.site.crs);
 }
 
@@ -79,8 +84,8 @@ std::string model_info(const Model& model) {
 }
 
 std::string mesh_info(const TriangleMesh& mesh) {
-  return "mesh\n  vertices: " + std::to_string(mesh.vertices.size()) + "\n  triangles: " +
-         std::to_string(mesh.triangles.size()) + "\n" + box_line(bounds(mesh.vertices));
+  return "mesh\n  vertices: " + std::to_string(mesh.vertices.size()) +
+         "\n  triangles: " + std::to_string(mesh.triangles.size()) + "\n" + box_line(bounds(mesh.vertices));
 }
 
 bool starts_with(const std::filesystem::path& file, std::string_view magic) {

@@ -20,7 +20,8 @@ Project open_project(const std::filesystem::path& scenario_file, const std::vect
 
 void record_scenario(const Project& project) {
   std::string text = "# Resolved scenario: every default is written out.\n# scarp " SCARP_VERSION " (" SCARP_REVISION
-                     ") on " + machine() + "\n";
+                     ") on " +
+                     machine() + "\n";
   for (const std::filesystem::path& file : input_files(project.scenario))
     text += "# sha256 " + sha256_of_file(file) + "  " + file.string() + "\n";
   write_whole(project.artefacts.scenario(), text + "\n" + to_toml(project.scenario));

@@ -28,7 +28,7 @@ struct Project {
 struct Outcome {
   bool simulation_failed = false;
   Failure failure;
-  Vec3 failure_site{0, 0, 0};             ///< where it failed, site coordinates
+  Vec3 failure_site{0, 0, 0};         ///< where it failed, site coordinates
   std::vector<std::string> exceeded;  ///< comparisons outside their tolerance, one sentence each
 };
 

@@ -52,7 +52,8 @@ std::vector<std::pair<std::filesystem::path, double>> read_frame_list(const Proj
   std::vector<std::pair<std::filesystem::path, double>> frames;
   for (const auto& [name, time] : read_series(project.artefacts.series()))
     frames.emplace_back(project.artefacts.root / name, time);
-  if (frames.empty()) throw Error("pipeline", project.artefacts.series().string() + " lists no frames; run 'scarp solve' first");
+  if (frames.empty())
+    throw Error("pipeline", project.artefacts.series().string() + " lists no frames; run 'scarp solve' first");
   return frames;
 }
 

@@ -53,18 +53,17 @@ void if_is(const Variant& variant, F&& f) {
 SiteFrame for_each_cleaned_scan(const Project& project,
                                 const std::function<void(const ScanOptions&, IngestResult)>& use) {
   SiteFrame site;
-  std::string first;
   Scenario local = project.scenario;
   for (std::size_t i = 0; i < project.scenario.scans.size(); ++i) {
     PointCloud raw = raw_scan(project.scenario.scans[i], project.threads);
     if (i == 0) {
-      site = {project_origin(bounds(raw.positions)), raw.site.crs};
-      first = source_of(local.scans[i]);
+      site.origin = project_origin(site_bounds(raw, local.scans[i].height_unit));
       localize_scenario(local, site.origin);
-    } else {
-      require_same_crs({first, source_of(local.scans[i])}, {site.crs, raw.site.crs});
     }
-    use(local.scans[i], ingest(std::move(raw), local.scans[i], site.origin, project.threads));
+    IngestResult result = ingest(std::move(raw), local.scans[i], site.origin, project.threads);
+    if (i == 0) site.crs = result.cloud.site.crs;
+    require_same_crs({source_of(local.scans[0]), source_of(local.scans[i])}, {site.crs, result.cloud.site.crs});
+    use(local.scans[i], std::move(result));
     project.reporter->progress(static_cast<double>(i + 1) / static_cast<double>(project.scenario.scans.size()));
   }
   return site;

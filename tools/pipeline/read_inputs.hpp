@@ -19,7 +19,8 @@ namespace scarp {
 /// Calls `use` for each scan of the scenario as it is cleaned, one at a time, so that only one raw cloud is in
 /// memory. The first scan sets the site frame; a later one with another CRS is refused.
 /// @returns the site frame (zero origin when there is no scan).
-SiteFrame for_each_cleaned_scan(const Project& project, const std::function<void(const ScanOptions&, IngestResult)>& use);
+SiteFrame for_each_cleaned_scan(const Project& project,
+                                const std::function<void(const ScanOptions&, IngestResult)>& use);
 
 /// The material points of the scenario.
 /// @param scans cleaned, local clouds by name; only those that bodies name are needed

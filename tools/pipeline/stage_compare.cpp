@@ -61,7 +61,8 @@ void compare_stage(Project& project, Outcome& outcome) {
     reports.push_back(to_json(result.report));
     project.reporter->note(distance_sentence(result.report));
     within_tolerance(result.report, options.tolerance, &outcome.exceeded);
-    project.reporter->progress(static_cast<double>(reports.size()) / static_cast<double>(project.scenario.compare.size()));
+    project.reporter->progress(static_cast<double>(reports.size()) /
+                               static_cast<double>(project.scenario.compare.size()));
   }
   record_summary(project, "compare", {{"comparisons", reports}, {"wall_s", watch.wall()}});
   project.reporter->end();

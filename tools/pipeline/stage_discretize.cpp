@@ -43,7 +43,8 @@ void discretize_stage(Project& project) {
     if (report.mean_thickness_in_cells > 0 && report.mean_thickness_in_cells < 3)
       project.reporter->note(report.body + " is on average only " + shortest(report.mean_thickness_in_cells) +
                              " cells thick; bending and failure need at least 3");
-    if (report.self_intersecting) project.reporter->note("the mesh of " + report.body + " intersects itself; its volume is not to be trusted");
+    if (report.self_intersecting)
+      project.reporter->note("the mesh of " + report.body + " intersects itself; its volume is not to be trusted");
   }
   record_summary(project, "discretize",
                  {{"particles", model.particles.size()}, {"volumes", volumes}, {"wall_s", watch.wall()}});

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The scarp developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "solver/store/frame_store.hpp"
@@ -22,10 +23,10 @@ RenderContext context_of(const Project& project, const Model& model) {
   context.dimension = project.scenario.domain.dimension;
   // The widest spacing of any body: finer ones are then drawn without holes as well.
   for (const Body& body : model.bodies) {
+    context.bodies.push_back(body.name);
     if (body.begin == body.end) continue;
     const double volume = model.particles.reference_volume[body.begin];
     context.spacing = std::max(context.spacing, context.dimension == 2 ? std::sqrt(volume) : std::cbrt(volume));
-    context.bodies.push_back(body.name);
   }
   for (const NamedMaterial& material : model.materials) context.materials.push_back(material.name);
   return context;
@@ -42,7 +43,8 @@ Json draw(const Project& project, const RenderOptions& options, const FrameList&
   }
   Json report{{"name", options.name}, {"field", options.colour.field}, {"pictures", pictures.size()}};
   if (options.video) {
-    const VideoReport video = write_video(project.artefacts.images() / options.name, pictures, options.frames_per_second);
+    const VideoReport video =
+        write_video(project.artefacts.images() / options.name, pictures, options.frames_per_second);
     report["video"] = video.file.filename().string();
     report["codec"] = video.codec;
     if (!video.reason_for_fallback.empty()) {
@@ -58,7 +60,8 @@ void clear_pictures(const Project& project, const std::string& name) {
   std::vector<std::filesystem::path> stale;
   for (const auto& entry : std::filesystem::directory_iterator(project.artefacts.images())) {
     const std::string stem = entry.path().stem().string();
-    if (stem == name || (stem.size() == name.size() + 7 && stem.rfind(name + "_", 0) == 0)) stale.push_back(entry.path());
+    if (stem == name || (stem.size() == name.size() + 7 && stem.rfind(name + "_", 0) == 0))
+      stale.push_back(entry.path());
   }
   for (const auto& path : stale) std::filesystem::remove(path);
 }

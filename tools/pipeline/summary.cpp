@@ -46,9 +46,12 @@ Json to_json(const VolumeReport& report) {
 }
 
 Json to_json(const HistorySample& sample) {
-  return {{"time_s", sample.time},           {"kinetic_J", sample.kinetic},
-          {"strain_J", sample.strain},       {"plastic_J", sample.plastic},
-          {"potential_J", sample.potential}, {"total_J", sample.total},
+  return {{"time_s", sample.time},
+          {"kinetic_J", sample.kinetic},
+          {"strain_J", sample.strain},
+          {"plastic_J", sample.plastic},
+          {"potential_J", sample.potential},
+          {"total_J", sample.total},
           {"momentum_kg_m_s", to_json(sample.momentum)}};
 }
 
@@ -74,7 +77,8 @@ Json read_json(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error("pipeline", "cannot read " + path.string(), "no such file or no permission");
   Json content = Json::parse(in, nullptr, false);
-  if (content.is_discarded()) throw Error("pipeline", path.string() + " is not valid JSON; delete it and run the stage again");
+  if (content.is_discarded())
+    throw Error("pipeline", path.string() + " is not valid JSON; delete it and run the stage again");
   return content;
 }
 

@@ -21,7 +21,8 @@ std::vector<std::filesystem::path> synth_scans(Project& project) {
     write_raster(files.back(), result.truth);
   }
   project.reporter->end();
-  if (files.empty()) throw Error("synth", "the scenario has no synthetic scan", "", "a [[scans]] entry with a table 'synthetic'");
+  if (files.empty())
+    throw Error("synth", "the scenario has no synthetic scan", "", "a [[scans]] entry with a table 'synthetic'");
   return files;
 }
 

@@ -51,9 +51,8 @@ void smooth_outline(Layer& layer, double spacing, int threads) {
   parallel_for(static_cast<std::size_t>(layer.height), threads, [&](std::size_t row) {
     for (int x = 0; x < layer.width; ++x) {
       const std::size_t i = layer.index(x, static_cast<int>(row));
-      layer.cover[i] = layer.depth[i] > -INFINITY
-                           ? static_cast<float>(std::clamp(0.5 + (blurred[i] - cut) / per_pixel, 0.0, 1.0))
-                           : 0.0f;
+      const float smooth = static_cast<float>(std::clamp(0.5 + (blurred[i] - cut) / per_pixel, 0.0, 1.0));
+      layer.cover[i] = layer.depth[i] > -INFINITY ? std::max(smooth, layer.core[i]) : 0.0f;
     }
   });
 }

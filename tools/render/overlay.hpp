@@ -17,7 +17,7 @@ struct Layout {
   PixelRect column;  ///< right of the plot: the key to the colours and the axes
 };
 
-/// Divides the picture; the column is as wide as its texts need, at most a third of the picture.
+/// Divides the picture; the column is as wide as its texts need, at most two fifths of the picture.
 Layout arrange(Canvas& canvas, const RenderOptions& options, const ColourKey& key, int dimension);
 
 /// Plane strain: shrinks the plot to the scene and moves it, with the column, to the middle.

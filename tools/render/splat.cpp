@@ -20,12 +20,13 @@ constexpr int kBlocks = kSide / kBlock;
 constexpr float kFar = -INFINITY;
 constexpr float kReach = 0.9f;     ///< radii behind the nearest surface from which splats still form it
 constexpr float kBeyond = 1.125f;  ///< radius of the paraboloids over that of the discs which cover
+constexpr float kDisc = 1 / (kBeyond * kBeyond);
 
 /// The buffers of one tile; small enough to stay in the cache.
 struct Tile {
   std::array<float, kCells> depth;
   std::array<std::int32_t, kCells> winner;
-  std::array<std::uint8_t, kCells> covered;
+  std::array<std::uint8_t, kCells> covered;  ///< 1: by a disc, 2: by its core
   std::array<float, kCells> weight, height, value_weight;
   std::array<float, kCells> value;                ///< weighted sum of a scalar
   std::array<Rgb, kCells> colour;                 ///< weighted sum of the scan's colours
@@ -80,7 +81,7 @@ std::size_t find_front(const Job& job, const Bins& bins, std::size_t begin, std:
       const bool nearer =
           depth > tile.depth[cell] || (depth == tile.depth[cell] && static_cast<std::int32_t>(i) < tile.winner[cell]);
       if (nearer) tile.depth[cell] = depth, tile.winner[cell] = static_cast<std::int32_t>(i);
-      tile.covered[cell] |= rho2 <= 1 / (kBeyond * kBeyond);
+      if (rho2 <= kDisc) tile.covered[cell] |= rho2 <= 0.36f * kDisc ? 3 : 1;
     });
   }
   return end;
@@ -168,13 +169,15 @@ Rgb colour_of(const Job& job, const Tile& tile, int cell) {
 void resolve_pixel(const Job& job, const Tile& tile, int x, int y, std::size_t to, Layer& layer) {
   std::array<int, kSamples * kSamples> cells;
   float nearest = kFar;
-  int covered = 0;
+  int covered = 0, core = 0;
   for (int s = 0; s < kSamples * kSamples; ++s) {
     cells[s] = (y * kSamples + s / kSamples) * kSide + x * kSamples + s % kSamples;
     nearest = std::max(nearest, tile.depth[cells[s]]);
-    covered += tile.covered[cells[s]];
+    covered += tile.covered[cells[s]] & 1;
+    core += tile.covered[cells[s]] >> 1;
   }
   layer.cover[to] = static_cast<float>(covered) / (kSamples * kSamples);
+  layer.core[to] = static_cast<float>(core) / (kSamples * kSamples);
   if (nearest == kFar) return;
   Rgb colour{0, 0, 0};
   float height = 0, near = 0, seen = 0, value = 0;
@@ -215,7 +218,15 @@ void draw_tile(const Job& job, const Bins& bins, std::size_t index, Layer& layer
 Layer draw_splats(const std::vector<Splat>& splats, float radius, int width, int height, const ColourField& field,
                   const ColourScale& scale, bool blend, int threads) {
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  Layer layer{width, height, std::vector<float>(pixels, 0), std::vector<float>(pixels, kFar), {}, {}, {}, {}};
+  Layer layer{.width = width,
+              .height = height,
+              .cover = std::vector<float>(pixels, 0),
+              .core = std::vector<float>(pixels, 0),
+              .depth = std::vector<float>(pixels, kFar),
+              .value = {},
+              .colour = {},
+              .slope_x = {},
+              .slope_y = {}};
   if (blend && field.kind == ColourKind::scalar)
     layer.value.assign(pixels, NAN);
   else

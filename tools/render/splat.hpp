@@ -20,6 +20,7 @@ struct Splat {
 struct Layer {
   int width = 0, height = 0;
   std::vector<float> cover;  ///< 0: background, 1: fully covered by discs of the drawn radius
+  std::vector<float> core;   ///< the same by the inner 0.6 of the discs
   std::vector<float> depth;  ///< height towards the viewer, pixels; -infinity where there is nothing to be seen
   std::vector<float> value;  ///< blended scalars: the value seen; NaN where it is unknown. Empty otherwise
   std::vector<Rgb> colour;   ///< everything else: the mean colour of what is seen. Empty for blended scalars
@@ -45,7 +46,7 @@ Layer draw_splats(const std::vector<Splat>& splats, float radius, int width, int
 void smooth_surface(Layer& layer, double spacing, int threads);
 
 /// Irons out the scallops that the discs leave along the outline: the cover is blurred over half a spacing (pixels) and
-/// cut where it stands for half a spacing from the outermost centres.
+/// cut where it stands for half a spacing from the outermost centres. A lone particle stays: cores are always covered.
 void smooth_outline(Layer& layer, double spacing, int threads);
 
 }  // namespace scarp

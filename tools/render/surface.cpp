@@ -74,8 +74,7 @@ struct PlaneFit {
 };
 
 /// One round: a point counts less the further it lies from the plane that the last round found.
-void fit_planes(const Layer& from, Layer& to, const std::vector<Tap>& taps, int threads) {
-  const bool values = !from.value.empty();
+void fit_planes(const Layer& from, Layer& to, const std::vector<Tap>& taps, bool values, int threads) {
   for_each_seen(from, threads, [&](int x, int y) {
     const std::size_t here = from.index(x, y);
     const float z = from.depth[here], sx = from.slope_x[here], sy = from.slope_y[here];
@@ -112,9 +111,14 @@ void smooth_surface(Layer& layer, double spacing, int threads) {
   // is known, any may be met. The last round takes its slopes from the one before, which saw as far.
   std::vector<double> radii{std::max(1.5, radius / 3), radius, radius};
   while (radii.front() > 4.5) radii.insert(radii.begin(), radii.front() / 3);
+  // The gaps between the points of large planes leave a faint grid.
+  if (radius > 6) radii.push_back(radius / 3);
   for (std::size_t round = 0; round < radii.size(); ++round) {
     const double steep = round == 0 ? 2.5 : 0.4;
-    fit_planes(layer, other, make_taps(radii[round], 1 + 2 * spacing, steep), threads);
+    // Values are smoothed over one spacing only: wider planes would cut their peaks.
+    const bool values = !layer.value.empty() && round + (radius > 6 ? 3 : 2) < radii.size();
+    fit_planes(layer, other, make_taps(radii[round], 1 + 2 * spacing, steep), values, threads);
+    if (!values) std::swap(layer.value, other.value);
     std::swap(layer, other);
   }
 }

@@ -1,7 +1,12 @@
 // SPDX-FileCopyrightText: The scarp developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <cstdio>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -18,16 +23,31 @@ namespace fs = std::filesystem;
 
 constexpr double kSteadyRate = 10;  ///< frames per second below which players stumble
 
-/// OpenCV tells a log about every codec that it tries; what matters is in the report.
-class QuietLog {
+/// While a codec is tried, OpenCV and FFmpeg tell the log and standard error; what matters is in the report.
+class Quiet {
  public:
-  QuietLog() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}
-  ~QuietLog() { cv::utils::logging::setLogLevel(before_); }
-  QuietLog(const QuietLog&) = delete;
-  QuietLog& operator=(const QuietLog&) = delete;
+  Quiet() : log_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {
+    std::fflush(stderr);
+    const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nothing < 0) return;
+    saved_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (saved_ >= 0) ::dup2(nothing, STDERR_FILENO);
+    ::close(nothing);
+  }
+  ~Quiet() {
+    std::fflush(stderr);
+    if (saved_ >= 0) {
+      ::dup2(saved_, STDERR_FILENO);
+      ::close(saved_);
+    }
+    cv::utils::logging::setLogLevel(log_);
+  }
+  Quiet(const Quiet&) = delete;
+  Quiet& operator=(const Quiet&) = delete;
 
  private:
-  cv::utils::logging::LogLevel before_;
+  cv::utils::logging::LogLevel log_;
+  int saved_ = -1;
 };
 
 /// A file that is removed again unless it has been renamed.
@@ -75,8 +95,13 @@ Plan plan_video(const cv::Size& picture, std::size_t count, double frames_per_se
 /// Returns why it failed, or nothing.
 std::string encode(const fs::path& path, const std::vector<fs::path>& pictures, const cv::Size& size, const Plan& plan,
                    const std::string& code) {
-  cv::VideoWriter writer(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc(code[0], code[1], code[2], code[3]),
-                         plan.rate, plan.size);
+  assert(code.size() == 4);
+  cv::VideoWriter writer;
+  {
+    const Quiet quiet;
+    const int fourcc = cv::VideoWriter::fourcc(code[0], code[1], code[2], code[3]);
+    writer.open(path.string(), cv::CAP_FFMPEG, fourcc, plan.rate, plan.size);
+  }
   if (!writer.isOpened()) return "no encoder opens";
   for (const fs::path& name : pictures) {
     cv::Mat frame;
@@ -92,7 +117,11 @@ std::string encode(const fs::path& path, const std::vector<fs::path>& pictures, 
 std::string check(const fs::path& path, const Plan& plan) {
   std::error_code failure;
   if (fs::file_size(path, failure) == 0 || failure) return "the encoder left an empty file";
-  cv::VideoCapture reader(path.string(), cv::CAP_FFMPEG);
+  cv::VideoCapture reader;
+  {
+    const Quiet quiet;
+    reader.open(path.string(), cv::CAP_FFMPEG);
+  }
   if (!reader.isOpened()) return "the file does not open again";
   cv::Mat first;
   if (!reader.read(first) || first.size() != plan.size) return "the first frame does not decode in its size";
@@ -112,7 +141,6 @@ VideoReport write_video(const fs::path& stem, const std::vector<fs::path>& pictu
   if (pictures.empty()) throw Error("render", "a video needs at least one picture", stem.string());
   if (!(frames_per_second > 0) || !(frames_per_second <= 1000))
     throw Error("render", "speed of the video", shortest(frames_per_second), "above 0, at most 1000 per second");
-  const QuietLog quiet;
   const cv::Size size = read_frame(pictures.front(), {}).size();
   const Plan plan = plan_video(size, pictures.size(), frames_per_second);
   VideoReport report;

@@ -139,6 +139,16 @@ TEST(CompareNearest, OriginsDoNotShowInTheResult) {
   expect_same_bits(both_local, compare_nearest(raw_simulated, raw_observed, 0.4, "d", 1));
 }
 
+TEST(CompareNearest, ParticlesKeepTheDigitsThatMapCoordinatesHaveNoRoomFor) {
+  const Vec3 origin{512300, 5412300, 0};
+  PointCloud simulated = waves(30, 0.37, 0.2);
+  simulated.site.origin = origin;
+  PointCloud raw = waves(33, 0.31, 0.5);
+  for (Vec3& p : raw.positions) p = p + origin;
+  expect_same_bits(compare_nearest(simulated, with_origin(raw, origin), 0.4, "a", 1),
+                   compare_nearest(simulated, raw, 0.4, "b", 1));
+}
+
 TEST(CompareNearest, SameBitsOnAnyNumberOfThreads) {
   const PointCloud simulated = waves(60, 0.2, 0), observed = waves(71, 0.17, 1.1);
   const NearestComparison one = compare_nearest(simulated, observed, 0.3, "n", 1);

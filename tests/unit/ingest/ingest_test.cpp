@@ -83,6 +83,11 @@ TEST(Ingest, SaysWhichStepRemovedTheLastPoint) {
   EXPECT_NE(message.find("x 512300 to 512310"), std::string::npos) << "site coordinates: " << message;
 }
 
+TEST(Ingest, SaysWhereAFilterRefuses) {
+  const std::string message = message_of(survey(), options_with({kWestHalf, StatisticalOutlier{900, 2.0}}));
+  EXPECT_NE(message.find("scan \"before\": clean step 2: statistical-outlier"), std::string::npos) << message;
+}
+
 TEST(Ingest, RefusesEmptyAndUnusableClouds) {
   EXPECT_NE(message_of({}, options_with({})).find("no points"), std::string::npos);
   PointCloud nothing;

@@ -91,6 +91,19 @@ TEST(Neighbours, ManyCopiesOfOnePointComeByIndex) {
   EXPECT_EQ(Neighbours(same).closest({1.5, -2, 4}), (Neighbour{0, 1.0}));
 }
 
+TEST(Neighbours, PilesOfCopiesAreAnsweredAsBruteForceDoes) {
+  std::vector<Vec3> points = scattered(1500, {4, 4, 4}, {-2, -2, -2}, 8);
+  for (int i = 0; i < 4000; ++i) points.push_back(i % 3 == 0 ? Vec3{0, 0, 0} : Vec3{1, i % 2 == 0 ? 0.0 : -0.0, 1});
+  points.insert(points.end(), points.begin(), points.begin() + 700);
+  expect_as_brute_force(points, {{0, 0, 0}, {1, 0, 1}, {0.5, 0, 0.5}, {0.3, 0.2, -0.4}, points[5], points[1000]});
+}
+
+TEST(Neighbours, PilesOfCopiesCostNoTime) {
+  const std::vector<Vec3> same(200000, Vec3{1.5, -2, 3});
+  const Neighbours neighbours(same);
+  for (std::size_t i = 0; i < same.size(); ++i) ASSERT_EQ(neighbours.closest(same[i])->index, 0u);
+}
+
 TEST(Neighbours, ClosestStopsAtItsLimitInclusively) {
   const std::vector<Vec3> positions{{0, 0, 0}, {3, 4, 0}};
   const Neighbours neighbours(positions);

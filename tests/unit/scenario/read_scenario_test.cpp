@@ -292,7 +292,7 @@ TEST_F(ReadScenario, AsksTheLawsWhetherTheirParametersGoTogether) {
     parse(with(text, "[materials.colluvium]", "  [materials.colluvium]"));
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(std::string(error.what()).substr(0, 12), "a.toml:22:3:") << error.what();
+    EXPECT_EQ(std::string(error.what()).substr(0, 12), "a.toml:23:3:") << error.what();
   }
 }
 
