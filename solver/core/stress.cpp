@@ -62,14 +62,21 @@ void add_force(typename LinearCell<D>::Values (&sums)[D], const typename LinearC
   }
 }
 
-/// Particles [begin, end) of one cell and one law: their F, history and stress, and their forces into `sums`.
+/// What a cell's particles add up to.
+template <int D>
+struct CellSums {
+  typename LinearCell<D>::Values force[D]{};
+  double mass = 0;
+  double stiffness = 0;  ///< sum of m_p c_p^2
+  std::int64_t bad_particle = -1;
+};
+
+/// Particles [begin, end) of one cell and one law: their F, history and stress; their forces into `sums`.
 template <int D, Mode mode, class Law>
-inline void sweep_particles(const Sweep& sweep, const Law& law, std::size_t begin, std::size_t end, CellTask& task,
-                            const typename LinearCell<D>::Values (&v)[D],
-                            typename LinearCell<D>::Values (&sums)[D]) {
+inline void sweep_particles(const Sweep& sweep, const Law& law, std::size_t begin, std::size_t end,
+                            const typename LinearCell<D>::Values (&v)[D], CellSums<D>& sums) {
   Particles& particles = sweep.particles;
   const double per_cell = 1 / sweep.body.grid.cell;
-  double largest = task.largest_wave_speed_squared;
   typename LinearCell<D>::Values m;
   for (std::size_t p = begin; p < end; ++p) {
     LinearCell<D>::monomials(sweep.body.grid.xi[p - sweep.body.begin], m);
@@ -87,12 +94,12 @@ inline void sweep_particles(const Sweep& sweep, const Law& law, std::size_t begi
       }
       const double c2 = law.wave_speed_squared(motion, history);
       valid = std::isfinite(c2 + sigma[0] + sigma[1] + sigma[2] + sigma[3] + sigma[4] + sigma[5]);
-      largest = std::max(largest, c2);
-      add_force<D>(sums, m, first_piola(sigma, motion.cofactor), -particles.reference_volume[p] * per_cell);
+      sums.mass += particles.mass[p];
+      sums.stiffness += particles.mass[p] * c2;
+      add_force<D>(sums.force, m, first_piola(sigma, motion.cofactor), -particles.reference_volume[p] * per_cell);
     }
-    if (!valid && task.bad_particle < 0) task.bad_particle = static_cast<std::int64_t>(p);
+    if (!valid && sums.bad_particle < 0) sums.bad_particle = static_cast<std::int64_t>(p);
   }
-  task.largest_wave_speed_squared = largest;
 }
 
 template <int D>
@@ -108,24 +115,27 @@ void load_velocities(const TotalBody& body, std::size_t cell, typename LinearCel
 }
 
 template <int D>
-void store_forces(TotalBody& body, std::size_t cell, typename LinearCell<D>::Values (&sums)[D]) {
+void store_sums(TotalBody& body, std::size_t cell, CellTask& task, CellSums<D>& sums) {
 #pragma GCC unroll 3
-  for (int d = 0; d < D; ++d) LinearCell<D>::to_corners(sums[d]);
+  for (int d = 0; d < D; ++d) LinearCell<D>::to_corners(sums.force[d]);
 #pragma GCC unroll 8
   for (int k = 0; k < LinearCell<D>::N; ++k)
 #pragma GCC unroll 3
-    for (int d = 0; d < D; ++d) body.slots[cell * LinearCell<D>::N + k][d] = sums[d][k];
+    for (int d = 0; d < D; ++d) body.slots[cell * LinearCell<D>::N + k][d] = sums.force[d][k];
+  task.largest_wave_speed_squared = std::max(task.largest_wave_speed_squared, sums.stiffness / sums.mass);
+  if (task.bad_particle < 0) task.bad_particle = sums.bad_particle;
 }
 
 /// The law is resolved once for all cells of the task.
 template <int D, Mode mode, class Law>
 void sweep_pure(const Sweep& sweep, const Law& law, CellTask& task) {
   for (std::size_t cell = task.begin; cell < task.end; ++cell) {
-    typename LinearCell<D>::Values v[D], sums[D]{};
+    typename LinearCell<D>::Values v[D];
+    CellSums<D> sums;
     load_velocities<D>(sweep.body, cell, v);
     const auto& begin = sweep.body.grid.cell_begin;
-    sweep_particles<D, mode>(sweep, law, begin[cell], begin[cell + 1], task, v, sums);
-    store_forces<D>(sweep.body, cell, sums);
+    sweep_particles<D, mode>(sweep, law, begin[cell], begin[cell + 1], v, sums);
+    store_sums<D>(sweep.body, cell, task, sums);
   }
 }
 
@@ -134,15 +144,16 @@ template <int D, Mode mode>
 void sweep_mixed(const Sweep& sweep, CellTask& task) {
   const auto& material = sweep.particles.material;
   for (std::size_t cell = task.begin; cell < task.end; ++cell) {
-    typename LinearCell<D>::Values v[D], sums[D]{};
+    typename LinearCell<D>::Values v[D];
+    CellSums<D> sums;
     load_velocities<D>(sweep.body, cell, v);
     const std::size_t end = sweep.body.grid.cell_begin[cell + 1];
     for (std::size_t p = sweep.body.grid.cell_begin[cell], next = p; p < end; p = next) {
       while (next < end && material[next] == material[p]) ++next;
-      std::visit([&](const auto& law) { sweep_particles<D, mode>(sweep, law, p, next, task, v, sums); },
+      std::visit([&](const auto& law) { sweep_particles<D, mode>(sweep, law, p, next, v, sums); },
                  sweep.laws[material[p]]);
     }
-    store_forces<D>(sweep.body, cell, sums);
+    store_sums<D>(sweep.body, cell, task, sums);
   }
 }
 
