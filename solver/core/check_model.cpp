@@ -84,7 +84,8 @@ void check_options(const SolverOptions& options, int dimension) {
   const Vec3 gravity = gravity_of(options, dimension);
   if (!is_finite(gravity) || (dimension == 2 && gravity[2] != 0))
     refuse("gravity", text(gravity), dimension == 2 ? "finite, and in the plane" : "finite");
-  if (!(options.courant > 0 && options.courant <= 1)) refuse("courant", shortest(options.courant), "above 0, at most 1");
+  if (!(options.courant > 0 && options.courant <= 1))
+    refuse("courant", shortest(options.courant), "above 0, at most 1");
   if (!(options.flip >= 0 && options.flip <= 1)) refuse("flip", shortest(options.flip), "0 to 1");
   if (!(options.end_time > 0) || !std::isfinite(options.end_time))
     refuse("end_time", shortest(options.end_time), "above 0 s");

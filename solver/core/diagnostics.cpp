@@ -57,8 +57,8 @@ HistorySample Diagnostics::measure(const Model& model, const std::vector<Prepare
                                    int threads) {
   const std::size_t count = model.particles.size();
   parallel_for(blocks_.size(), threads, [&](std::size_t b) {
-    blocks_[b] = measure_block(model.particles, laws, gravity, b * kReductionBlock,
-                               std::min(count, (b + 1) * kReductionBlock));
+    blocks_[b] =
+        measure_block(model.particles, laws, gravity, b * kReductionBlock, std::min(count, (b + 1) * kReductionBlock));
   });
   HistorySample sum;
   for (const HistorySample& block : blocks_) add(sum, block);

@@ -60,8 +60,8 @@ RunEstimate estimate(const Model& model, const SolverOptions& options, const Out
   }
   result.time_step = options.courant / fastest;
   // Between two due times the steps are cut to a whole number.
-  const double interval = std::min({frame_interval(output, options.end_time),
-                                    history_interval(output, options.end_time), options.end_time});
+  const double interval = std::min(
+      {frame_interval(output, options.end_time), history_interval(output, options.end_time), options.end_time});
   result.steps = std::ceil(options.end_time / interval) * std::ceil(interval / result.time_step);
   result.particle_steps = result.steps * count;
   return result;

@@ -19,7 +19,11 @@ constexpr double kCollapse = 1e-6;
 
 struct Run {
   Run(Model& m, const SolverOptions& options, const OutputOptions& output, FrameSink& s, int t)
-      : model(m), sink(s), threads(t), method(m, options, t), diagnostics(m.particles.size()),
+      : model(m),
+        sink(s),
+        threads(std::max(1, t)),
+        method(m, options, t),
+        diagnostics(m.particles.size()),
         clock(output, options.end_time) {}
 
   HistorySample sample(double dt) {

@@ -29,16 +29,16 @@ TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int
       gravity_(gravity_of(options, model.domain.dimension)),
       flip_(options.flip),
       courant_(options.courant),
-      threads_(threads) {
+      threads_(std::max(1, threads)) {
   check_model(model);
   check_options(options, model.domain.dimension);
   sort_by_cell(model);
   for (const NamedMaterial& material : model.materials) laws_.push_back(prepare(material.law));
   for (const Body& body : model.bodies) bodies_.push_back(make_total_body(model, body));
   for (TotalBody& body : bodies_) {
-    map_momentum(model_.particles, body, threads_);                                                            // (1)
-    find_node_velocities(body, threads_);                                                                      // (2)
-    collect(map_stress(model_.particles, body, laws_, threads_), body.grid.cell, fastest_, bad_particle_);     // (1)
+    map_momentum(model_.particles, body, threads_);                                                         // (1)
+    find_node_velocities(body, threads_);                                                                   // (2)
+    collect(map_stress(model_.particles, body, laws_, threads_), body.grid.cell, fastest_, bad_particle_);  // (1)
   }
 }
 

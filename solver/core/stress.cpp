@@ -81,8 +81,7 @@ inline void sweep_particles(const Sweep& sweep, const Law& law, std::size_t begi
   for (std::size_t p = begin; p < end; ++p) {
     LinearCell<D>::monomials(sweep.body.grid.xi[p - sweep.body.begin], m);
     Mat3& F = particles.deformation_gradient[p];
-    const Motion motion =
-        make_motion(F, mode == Mode::update ? advanced_gradient<D>(F, v, m, sweep.dt * per_cell) : F);
+    const Motion motion = make_motion(F, mode == Mode::update ? advanced_gradient<D>(F, v, m, sweep.dt * per_cell) : F);
     F = motion.F;
     bool valid = motion.J > 0 && motion.J < 1e100;
     if (valid) {

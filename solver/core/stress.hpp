@@ -12,8 +12,10 @@ namespace scarp {
 
 /// What a stress sweep found in a body.
 struct StressOutcome {
-  double largest_wave_speed_squared = 0;  ///< (m/s)^2, in the reference configuration
-  std::int64_t bad_particle = -1;         ///< index: J <= 0 or something not finite; -1 if all is well
+  /// Largest over the cells of the mean of c^2, weighted by mass, (m/s)^2, in the reference configuration: a cell's
+  /// stiffness is the sum of its particles', so that one squeezed particle among eight counts for an eighth.
+  double largest_wave_speed_squared = 0;
+  std::int64_t bad_particle = -1;  ///< index: J <= 0 or something not finite; -1 if all is well
 };
 
 /// Method.md 1.1, (5) and (6), and (1) of the next step: F <- F + dt sum v_I x grad0 phi_Ip, the law's stress, and

@@ -15,7 +15,7 @@ struct CellTask {
   std::uint32_t end = 0;
   std::int32_t material = -1;  ///< of all its particles, or -1: some cell is mixed, look at each particle
   // What the last stress sweep found here:
-  double largest_wave_speed_squared = 0;  ///< (m/s)^2
+  double largest_wave_speed_squared = 0;  ///< see StressOutcome
   std::int64_t bad_particle = -1;         ///< index of the first whose state is no longer valid, or -1
 };
 

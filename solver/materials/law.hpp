@@ -27,17 +27,16 @@ namespace scarp {
 /// `M` is the parameters as the scenario states them; `M::Law` the same, ready for the hot loop.
 template <class M>
 concept MaterialLaw = std::constructible_from<typename M::Law, const M&> &&
-                      requires(const typename M::Law& law, const Motion& motion, PointHistory& history,
-                               const PointHistory& read_only) {
-                        /// Whether `stress` reads and writes the history; if not, it is never loaded.
-                        { M::Law::has_history } -> std::convertible_to<bool>;
-                        /// Cauchy stress at motion.F, Pa; brings the history from F_old to F.
-                        { law.stress(motion, history) } -> std::same_as<Sym6>;
-                        /// Elastic energy, J per m3 of the reference configuration.
-                        { law.stored_energy(motion, read_only) } -> std::same_as<double>;
-                        /// c^2, (m/s)^2, in the reference configuration.
-                        { law.wave_speed_squared(motion, read_only) } -> std::same_as<double>;
-                      };
+    requires(const typename M::Law& law, const Motion& motion, PointHistory& history, const PointHistory& read_only) {
+  /// Whether `stress` reads and writes the history; if not, it is never loaded.
+  { M::Law::has_history } -> std::convertible_to<bool>;
+  /// Cauchy stress at motion.F, Pa; brings the history from F_old to F.
+  { law.stress(motion, history) } -> std::same_as<Sym6>;
+  /// Elastic energy, J per m3 of the reference configuration.
+  { law.stored_energy(motion, read_only) } -> std::same_as<double>;
+  /// c^2, (m/s)^2, in the reference configuration.
+  { law.wave_speed_squared(motion, read_only) } -> std::same_as<double>;
+};
 
 template <class V>
 struct PreparedOf;

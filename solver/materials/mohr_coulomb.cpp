@@ -86,7 +86,8 @@ void MohrCoulomb::Law::return_map(Vec3& tau, double cohesion) const {
   // The plane of the hydrostatic axis and the main plane's direction of return separates the two edges.
   const bool right = (1 - sin_psi_) * tau[0] - 2 * tau[1] + (1 + sin_psi_) * tau[2] > 0;
   const double b = right ? b_right_ : b_left_;
-  const double other = right ? yield({tau[0], 0, tau[1]}, sin_phi_, c_cos) : yield({tau[1], 0, tau[2]}, sin_phi_, c_cos);
+  const double other =
+      right ? yield({tau[0], 0, tau[1]}, sin_phi_, c_cos) : yield({tau[1], 0, tau[2]}, sin_phi_, c_cos);
   const double per_determinant = 1 / (a_ * a_ - b * b);
   const double ga = (a_ * f - b * other) * per_determinant, gb = (a_ * other - b * f) * per_determinant;
   if (right)

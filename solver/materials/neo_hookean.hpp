@@ -33,8 +33,12 @@ class NeoHookean::Law {
     const double mu_per_J = mu_ * motion.per_J;
     const double isotropic = lambda_ * std::log(motion.J) * motion.per_J - mu_per_J;
     const Sym6 b = left_product(motion.F);
-    return {mu_per_J * b[0] + isotropic, mu_per_J * b[1] + isotropic, mu_per_J * b[2] + isotropic,
-            mu_per_J * b[3],             mu_per_J * b[4],             mu_per_J * b[5]};
+    return {mu_per_J * b[0] + isotropic,
+            mu_per_J * b[1] + isotropic,
+            mu_per_J * b[2] + isotropic,
+            mu_per_J * b[3],
+            mu_per_J * b[4],
+            mu_per_J * b[5]};
   }
 
   double stored_energy(const Motion& motion, const PointHistory&) const {

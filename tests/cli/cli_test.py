@@ -44,7 +44,7 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(summary["solver"]["status"], "completed")
         for key in ("steps", "particle_steps", "wall_ns_per_particle_step", "cpu_ns_per_particle_step", "instruction_set"):
             self.assertIn(key, summary["solver"])
-        self.assertEqual(summary["ingest"]["origin_m"], [499900, 4099900, 0])
+        self.assertEqual(summary["ingest"]["origin_m"], [500000, 4099900, 0])
         with open(out / "history.csv") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(list(rows[0])[:5], ["time", "step", "dt", "kinetic", "strain"])
@@ -61,7 +61,7 @@ class Pipeline(unittest.TestCase):
             self.assertTrue(filecmp.cmp(out / name, again / name, shallow=False), name)
 
         info = self.run_well("info", out / "clouds/before.las", out / "model.hdf", out / "frames/frame_000001.hdf")
-        for word in ("LAS 1.", "points:", "particles:", "displacement", "origin: 499900 4099900 0"):
+        for word in ("LAS 1.", "points:", "particles:", "displacement", "origin: 500000 4099900 0"):
             self.assertIn(word, info.out)
         self.run_well("compare", out / "frames/frame_000002.hdf", out / "clouds/before.las", "--max-distance", "5", "-o", self.folder / "direct")
         self.assertTrue((self.folder / "direct/frame_000002_before.json").exists())

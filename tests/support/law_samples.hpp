@@ -23,7 +23,9 @@ inline std::vector<NeoHookean> law_samples() {
 }
 template <>
 inline std::vector<MohrCoulomb> law_samples() {
-  return {{{1900, 20e6, 0.3}, 10e3, 28, 0}, {{1900, 20e6, 0.3}, 0, 33, 10}, {{1900, 20e6, 0.2}, 5e3, 20, 20},
+  return {{{1900, 20e6, 0.3}, 10e3, 28, 0},
+          {{1900, 20e6, 0.3}, 0, 33, 10},
+          {{1900, 20e6, 0.2}, 5e3, 20, 20},
           {{1900, 20e6, 0.4}, 50e3, 0, 0}};
 }
 

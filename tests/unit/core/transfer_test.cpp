@@ -42,8 +42,8 @@ void check_shape() {
       high[1] = 0.75;
       EXPECT_NEAR(Cell::template derivative<1>(a, m), 2 * (hat(D, corner, high) - hat(D, corner, low)), 1e-15);
     }
-    EXPECT_NEAR(sum, 1, 1e-15);           // partition of unity
-    EXPECT_NEAR(gradient_sum, 0, 1e-15);  // so its gradient vanishes
+    EXPECT_NEAR(sum, 1, 1e-15);                                                      // partition of unity
+    EXPECT_NEAR(gradient_sum, 0, 1e-15);                                             // so its gradient vanishes
     for (int axis = 0; axis < D; ++axis) EXPECT_NEAR(place[axis], xi[axis], 1e-15);  // linear reproduction
     // the map to corners is the transpose of the map from corners
     typename Cell::Values sums{};
@@ -124,8 +124,7 @@ TEST(Transfer, LinearNodeVelocitiesReachTheParticlesExactly) {
     const Mat3 G = dimension == 3 ? Mat3{0.1, -0.2, 0.4, 0.5, 0.2, -0.3, -0.4, 0.1, 0.6}
                                   : Mat3{0.1, -0.2, 0, 0.5, 0.2, 0, 0, 0, 0};
     for (std::size_t p = 0; p < particles.size(); ++p)
-      for (int k = 0; k < 9; ++k)
-        EXPECT_NEAR(particles.deformation_gradient[p][k], kIdentity[k] + 0.5 * G[k], 1e-13);
+      for (int k = 0; k < 9; ++k) EXPECT_NEAR(particles.deformation_gradient[p][k], kIdentity[k] + 0.5 * G[k], 1e-13);
   }
 }
 

@@ -199,7 +199,8 @@ TYPED_TEST(Law, BoundsTheWaveSpeed) {
     const Motion rest = make_motion(kIdentity, kIdentity);
     EXPECT_GE(law.wave_speed_squared(rest, {}), (1 - 1e-12) * std::pow(parameters.wave_speed(), 2));
     if (parameters.poissons_ratio >= 0) {
-      EXPECT_NEAR(std::sqrt(law.wave_speed_squared(rest, {})), parameters.wave_speed(), 1e-12 * parameters.wave_speed());
+      EXPECT_NEAR(std::sqrt(law.wave_speed_squared(rest, {})), parameters.wave_speed(),
+                  1e-12 * parameters.wave_speed());
     }
     for (int i = 0; i < 400; ++i) {
       const Mat3 F = random.gradient(TypeParam::Law::has_history ? 0.12 : i % 2 ? 0.3 : 0.6);
