@@ -3,6 +3,7 @@
 #include "solver/model/error.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace scarp {
@@ -30,8 +31,13 @@ Error::Error(std::string stage, std::string what, std::string value, std::string
     : std::runtime_error(compose(what, value, allowed, where)), stage_(std::move(stage)), where_(std::move(where)) {}
 
 std::string shortest(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  // Plain digits where a reader would write them: 500000, not 5e+05.
+  const double size = std::abs(value);
+  const bool plain = value == 0 || (size >= 1e-5 && size < 1e15);
+  char buffer[64];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value,
+                                 plain ? std::chars_format::fixed : std::chars_format::general)
+                       .ptr;
   return {buffer, end};
 }
 

@@ -26,6 +26,14 @@ TEST(Error, NamesPlaceValueAndWhatIsAllowed) {
   EXPECT_STREQ(error.what(), "a.toml:3:11: density of material 'soil': found -1900; allowed: above 0 kg/m3");
 }
 
+TEST(Shortest, ReadsBackAndWritesPlainDigits) {
+  EXPECT_EQ(shortest(500000), "500000");
+  EXPECT_EQ(shortest(0.1), "0.1");
+  EXPECT_EQ(shortest(-0.00012), "-0.00012");
+  EXPECT_EQ(shortest(1e300), "1e+300");
+  for (double value : {1.0 / 3, 5412345.6789, 1e-9 / 7, -1e15 / 3}) EXPECT_EQ(std::stod(shortest(value)), value);
+}
+
 TEST(WriteWhole, LeavesTheOldFileWhenTheWriterFails) {
   test::TemporaryFolder folder;
   const auto path = folder.path() / "sub" / "a.txt";
