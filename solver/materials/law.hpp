@@ -7,11 +7,11 @@
 //   objectivity   F -> Q F, b_e -> Q b_e Q^T gives sigma -> Q sigma Q^T, for every rotation Q
 //   energy        where nothing dissipates, P = J sigma F^-T = d stored_energy / d F
 //   dissipation   plastic_work and equivalent_plastic_strain never fall
-//   admissible    yield_function(sigma) <= rounding, for laws that have one
+//   admissible    yield_function(sigma, equivalent_plastic_strain) <= rounding, which every law with a history has
 //   wave speed    rho0 c^2 >= max of (m x N) : dP/dF : (m x N) over unit m, N: the bound of the time step on a
 //                 grid in the reference configuration, for the current F and the elastic tangent
 //
-// tests/unit/materials/law_test.cpp holds every alternative of `Material` against it.
+// tests/unit/materials/law_test.cpp and plastic_law_test.cpp hold every alternative of `Material` against it.
 #pragma once
 
 #include <concepts>
@@ -24,7 +24,8 @@
 
 namespace scarp {
 
-/// `M` is the parameters as the scenario states them; `M::Law` the same, ready for the hot loop.
+/// `M` is the parameters as the scenario states them; `M::Law` the same, ready for the hot loop. A law that depends on
+/// the size of the cell takes it as a second argument of its constructor.
 template <class M>
 concept MaterialLaw = std::constructible_from<typename M::Law, const M&> &&
     requires(const typename M::Law& law, const Motion& motion, PointHistory& history, const PointHistory& read_only) {
@@ -49,8 +50,16 @@ struct PreparedOf<std::variant<M...>> {
 /// The laws of `Material`, ready for the hot loop, in the same order.
 using PreparedLaw = typename PreparedOf<Material>::type;
 
-inline PreparedLaw prepare(const Material& material) {
-  return std::visit([](const auto& m) { return PreparedLaw(typename std::decay_t<decltype(m)>::Law(m)); }, material);
+/// @param cell  edge of the cells that the law is used in, m, for laws that soften over a length; 0: not known
+inline PreparedLaw prepare(const Material& material, double cell = 0) {
+  const auto law = [cell](const auto& m) -> PreparedLaw {
+    using Law = typename std::decay_t<decltype(m)>::Law;
+    if constexpr (std::constructible_from<Law, decltype(m), double>)
+      return Law(m, cell);
+    else
+      return Law(m);
+  };
+  return std::visit(law, material);
 }
 
 /// The parameters that every law shares.

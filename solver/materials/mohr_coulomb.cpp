@@ -6,10 +6,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <utility>
 
-#include "solver/materials/symmetric_eigen.hpp"
+#include "solver/materials/log_strain.hpp"
 
 namespace scarp {
 namespace {
@@ -23,129 +24,143 @@ std::array<int, 3> descending(const Vec3& v) {
   return order;
 }
 
-/// n_k n_k^T for the eigenvectors n_k.
-std::array<Sym6, 3> projections(const Mat3& n) {
-  std::array<Sym6, 3> E;
-#pragma GCC unroll 3
-  for (int k = 0; k < 3; ++k) {
-    const double x = n[k], y = n[3 + k], z = n[6 + k];
-    E[k] = {x * x, y * y, z * z, x * y, y * z, x * z};
+/// The cut-off, or infinity; no more than the apex.
+double tension_of(const MohrCoulomb& m, double cohesion, double friction_angle) {
+  if (!m.tension_strength) return std::numeric_limits<double>::infinity();
+  if (friction_angle == 0) return *m.tension_strength;
+  return std::min(*m.tension_strength, cohesion / std::tan(friction_angle * std::numbers::pi / 180));
+}
+
+/// The root of g - strain(g), with strain >= 0 bounded and continuous: a bracket, then secants that halve the older
+/// end's weight (the Illinois method), with a bisection in every third step for strain that changes abruptly. The last
+/// call of `strain` is the one for the root.
+template <class F>
+void solve_increment(const F& strain, double tolerance) {
+  double low = 0, high = strain(0.0), f_low = -high, f_high = high - strain(high);
+  while (f_high < -tolerance) {
+    low = high;
+    f_low = f_high;
+    high *= 2;
+    f_high = high - strain(high);
   }
-  return E;
-}
-
-/// sum of values[k] E[k].
-Sym6 compose(const Vec3& values, const std::array<Sym6, 3>& E) {
-  Sym6 A;
-#pragma GCC unroll 6
-  for (int i = 0; i < 6; ++i) A[i] = values[0] * E[0][i] + values[1] * E[1][i] + values[2] * E[2][i];
-  return A;
-}
-
-/// b_e carried along elastically from F_old to F.
-Sym6 elastic_trial(const Motion& motion, const Sym6& b_e) {
-  const Mat3 c = cofactor(motion.F_old);
-  const double per_J = 1 / determinant(motion.F_old, c);
-  Mat3 f = multiply_transposed(motion.F, c);
-  for (double& entry : f) entry *= per_J;
-  return push_forward(f, b_e);
-}
-
-double yield(const Vec3& s, double sin_phi, double cohesion_cos_phi) {
-  return (s[0] - s[2]) + (s[0] + s[2]) * sin_phi - 2 * cohesion_cos_phi;
+  if (f_high <= tolerance) return;
+  for (int step = 1; high - low > tolerance; ++step) {
+    const double secant = (low * f_high - high * f_low) / (f_high - f_low);
+    const double g = step % 3 == 0 || !(secant > low && secant < high) ? 0.5 * (low + high) : secant;
+    if (!(g > low && g < high)) return;
+    const double f = g - strain(g);
+    if (std::abs(f) <= tolerance) return;
+    (f < 0 ? low : high) = g;
+    (f < 0 ? f_low : f_high) = f;
+    (f < 0 ? f_high : f_low) *= 0.5;
+  }
 }
 
 }  // namespace
 
-MohrCoulomb::Law::Law(const MohrCoulomb& m)
-    : G_(m.shear_modulus()), K_(m.bulk_modulus()), per_density_(1 / m.density), cohesion_(m.cohesion) {
-  per_2G_ = 1 / (2 * G_);
-  per_3K_ = 1 / (3 * K_);
-  constexpr double per_degree = std::numbers::pi / 180;
-  sin_phi_ = std::sin(m.friction_angle * per_degree);
-  cos_phi_ = std::cos(m.friction_angle * per_degree);
-  sin_psi_ = std::sin(m.dilatancy_angle * per_degree);
-  fall_ = 2 * G_ * (1 + sin_psi_ / 3) + 2 * K_ * sin_psi_;
-  middle_ = (4 * G_ / 3 - 2 * K_) * sin_psi_;
-  rise_ = 2 * G_ * (1 - sin_psi_ / 3) - 2 * K_ * sin_psi_;
-  const double product = sin_phi_ * sin_psi_, volumetric = 4 * K_ * product;
-  a_ = 4 * G_ * (1 + product / 3) + volumetric;
-  b_right_ = 2 * G_ * (1 + sin_phi_ + sin_psi_ - product / 3) + volumetric;
-  b_left_ = 2 * G_ * (1 - sin_phi_ - sin_psi_ - product / 3) + volumetric;
+MohrCoulomb::Law::Law(const MohrCoulomb& m, double cell)
+    : G_(m.shear_modulus()),
+      K_(m.bulk_modulus()),
+      per_2G_(1 / (2 * G_)),
+      per_3K_(1 / (3 * K_)),
+      per_density_(1 / m.density),
+      surface_(G_, K_, m.cohesion, m.friction_angle, m.dilatancy_angle, tension_of(m, m.cohesion, m.friction_angle)),
+      softens_(m.softens()),
+      parameters_(m) {
+  if (!softens_) return;
+  const double scale = m.softening_length && cell > 0 ? *m.softening_length / cell : 1;
+  per_softening_strain_ = 1 / (m.softening_strain.value_or(0) * scale);
 }
 
-void MohrCoulomb::Law::return_map(Vec3& tau, double cohesion) const {
-  const double c_cos = cohesion * cos_phi_;
-  const double f = yield(tau, sin_phi_, c_cos);
-  const double gamma = f / a_;
-  const Vec3 main{tau[0] - fall_ * gamma, tau[1] + middle_ * gamma, tau[2] + rise_ * gamma};
-  if (main[0] >= main[1] && main[1] >= main[2]) {
-    tau = main;
-    return;
+CoulombSurface MohrCoulomb::Law::surface_after(double equivalent_plastic_strain) const {
+  const MohrCoulomb& m = parameters_;
+  const double way = equivalent_plastic_strain * per_softening_strain_;
+  const double gone = m.softening == Softening::linear ? std::min(1.0, way) : -std::expm1(-way);
+  const auto now = [gone](double peak, const std::optional<double>& residual) {
+    return residual ? peak + gone * (*residual - peak) : peak;
+  };
+  const double cohesion = now(m.cohesion, m.residual_cohesion);
+  if (!m.residual_friction_angle && !m.residual_dilatancy_angle)
+    return surface_.with_strength(cohesion, tension_of(m, cohesion, m.friction_angle));
+  const double phi = now(m.friction_angle, m.residual_friction_angle);
+  const double psi = now(m.dilatancy_angle, m.residual_dilatancy_angle);
+  return CoulombSurface(G_, K_, cohesion, phi, psi, tension_of(m, cohesion, phi));
+}
+
+/// sqrt(2/3) |plastic log strain| between a trial stress and the one it returned to.
+double MohrCoulomb::Law::plastic_strain(const Vec3& trial, const Vec3& tau) const {
+  const Vec3 fall = trial - tau;
+  const double mean = (fall[0] + fall[1] + fall[2]) / 3;
+  double square = 0;
+  for (double d : fall) {
+    const double plastic = (d - mean) * per_2G_ + mean * per_3K_;
+    square += plastic * plastic;
   }
-  // The plane of the hydrostatic axis and the main plane's direction of return separates the two edges.
-  const bool right = (1 - sin_psi_) * tau[0] - 2 * tau[1] + (1 + sin_psi_) * tau[2] > 0;
-  const double b = right ? b_right_ : b_left_;
-  const double other =
-      right ? yield({tau[0], 0, tau[1]}, sin_phi_, c_cos) : yield({tau[1], 0, tau[2]}, sin_phi_, c_cos);
-  const double per_determinant = 1 / (a_ * a_ - b * b);
-  const double ga = (a_ * f - b * other) * per_determinant, gb = (a_ * other - b * f) * per_determinant;
-  if (right)
-    tau = {tau[0] - fall_ * (ga + gb), tau[1] + middle_ * ga + rise_ * gb, tau[2] + rise_ * ga + middle_ * gb};
-  else
-    tau = {tau[0] - fall_ * ga + middle_ * gb, tau[1] + middle_ * ga - fall_ * gb, tau[2] + rise_ * (ga + gb)};
-  if (sin_phi_ > 0 && tau[0] + tau[1] + tau[2] > 3 * c_cos / sin_phi_) tau.fill(c_cos / sin_phi_);
+  return std::sqrt(2.0 / 3.0 * square);
+}
+
+/// @return whether the step is plastic
+bool MohrCoulomb::Law::return_softening(Vec3& tau, double J, double before) const {
+  const Vec3 trial = tau;
+  const auto strain = [&](double increment) {
+    tau = trial;
+    const CoulombSurface surface = surface_after(before + increment);
+    if (surface.exceeded(tau, J)) surface.return_map(tau, J);
+    return plastic_strain(trial, tau);
+  };
+  if (!surface_after(before).exceeded(trial, J)) return false;
+  solve_increment(strain, 1e-15 * (1 + before));
+  return true;
 }
 
 Sym6 MohrCoulomb::Law::stress(const Motion& motion, PointHistory& history) const {
   Sym6& b_e = history.elastic_left_cauchy_green;
   b_e = elastic_trial(motion, b_e);
-  SymmetricEigen b = symmetric_eigen(b_e);
-  const std::array<int, 3> order = descending(b.values);
-  const std::array<Sym6, 3> E = projections(b.vectors);
+  LogStrain strain = log_strain(b_e);
+  const std::array<int, 3> order = descending(strain.squares);
   Vec3 e;
-  for (int k = 0; k < 3; ++k) e[k] = 0.5 * std::log(b.values[order[k]]);
+  for (int k = 0; k < 3; ++k) e[k] = strain.principal[order[k]];
   const double pressure = (K_ - 2 * G_ / 3) * (e[0] + e[1] + e[2]);
   Vec3 tau{2 * G_ * e[0] + pressure, 2 * G_ * e[1] + pressure, 2 * G_ * e[2] + pressure};
-  const double cohesion = cohesion_ * motion.J;
-  if (yield(tau, sin_phi_, cohesion * cos_phi_) > 0) {
-    return_map(tau, cohesion);
+  bool plastic = false;
+  if (softens_) {
+    plastic = return_softening(tau, motion.J, history.equivalent_plastic_strain);
+  } else if (surface_.exceeded(tau, motion.J)) {
+    surface_.return_map(tau, motion.J);
+    plastic = true;
+  }
+  if (plastic) {
     const double mean = (tau[0] + tau[1] + tau[2]) / 3;
     double square = 0, work = 0;
     for (int k = 0; k < 3; ++k) {
       const double elastic = (tau[k] - mean) * per_2G_ + mean * per_3K_;
-      const double plastic = e[k] - elastic;
-      square += plastic * plastic;
-      work += tau[k] * plastic;
-      b.values[order[k]] = std::exp(2 * elastic);
+      const double difference = e[k] - elastic;
+      square += difference * difference;
+      work += tau[k] * difference;
+      strain.squares[order[k]] = std::exp(2 * elastic);
     }
-    b_e = compose(b.values, E);
+    b_e = compose(strain.squares, strain.planes);
     history.equivalent_plastic_strain += std::sqrt(2.0 / 3.0 * square);
     history.plastic_work += work;
   }
   Vec3 sigma;
   for (int k = 0; k < 3; ++k) sigma[order[k]] = tau[k] * motion.per_J;
-  return compose(sigma, E);
+  return compose(sigma, strain.planes);
 }
 
 double MohrCoulomb::Law::stored_energy(const Motion&, const PointHistory& history) const {
-  const Vec3 b = symmetric_eigen(history.elastic_left_cauchy_green).values;
-  const Vec3 e{0.5 * std::log(b[0]), 0.5 * std::log(b[1]), 0.5 * std::log(b[2])};
-  const double trace = e[0] + e[1] + e[2];
-  return G_ * dot(e, e) + 0.5 * (K_ - 2 * G_ / 3) * trace * trace;
+  return hencky_energy(G_, K_ - 2 * G_ / 3, history.elastic_left_cauchy_green);
 }
 
 double MohrCoulomb::Law::wave_speed_squared(const Motion& motion, const PointHistory& history) const {
-  const Sym6& b = history.elastic_left_cauchy_green;
-  const double x = b[0] - 1, y = b[1] - 1, z = b[2] - 1;
-  const double strain = std::sqrt(x * x + y * y + z * z + 2 * (b[3] * b[3] + b[4] * b[4] + b[5] * b[5]));
-  return (K_ + 4 * G_ / 3) * (1 + strain) * inverse_square_of_least_stretch(motion) * per_density_;
+  return hencky_stiffness_bound(K_ + 4 * G_ / 3, motion, history.elastic_left_cauchy_green) * per_density_;
 }
 
-double MohrCoulomb::Law::yield_function(const Sym6& sigma) const {
+double MohrCoulomb::Law::yield_function(const Sym6& sigma, double equivalent_plastic_strain) const {
   Vec3 s = symmetric_eigen(sigma).values;
   std::sort(s.begin(), s.end(), std::greater<>());
-  return yield(s, sin_phi_, cohesion_ * cos_phi_);
+  const CoulombSurface surface = softens_ ? surface_after(equivalent_plastic_strain) : surface_;
+  return std::max(surface.yield(s, 1), surface.above_cut_off(s, 1));
 }
 
 }  // namespace scarp

@@ -48,8 +48,8 @@ inline Mat3 transpose(const Mat3& A) { return {A[0], A[3], A[6], A[1], A[4], A[7
 
 /// Sum of the squares of all entries.
 inline double square_norm(const Mat3& A) {
-  return A[0] * A[0] + A[1] * A[1] + A[2] * A[2] + A[3] * A[3] + A[4] * A[4] + A[5] * A[5] + A[6] * A[6] + A[7] * A[7] +
-         A[8] * A[8];
+  return (A[0] * A[0] + A[1] * A[1] + A[2] * A[2]) + (A[3] * A[3] + A[4] * A[4] + A[5] * A[5]) +
+         (A[6] * A[6] + A[7] * A[7] + A[8] * A[8]);
 }
 
 /// F F^T.

@@ -22,11 +22,51 @@ inline std::vector<NeoHookean> law_samples() {
   return {{{1000, 1e6, 0.3}}, {{2000, 70e6, 0.0}}, {{1000, 1e6, 0.45}}};
 }
 template <>
-inline std::vector<MohrCoulomb> law_samples() {
+inline std::vector<Hencky> law_samples() {
+  return {{{1000, 1e6, 0.3}}, {{2000, 70e6, 0.0}}, {{1000, 1e6, 0.45}}, {{1000, 1e6, -0.2}}};
+}
+/// The last is too strong to yield: for what the contract says of the elastic state.
+template <>
+inline std::vector<VonMises> law_samples() {
+  return {{{1900, 20e6, 0.3}, 20e3},
+          {{7850, 200e6, 0.3}, 1e6, 20e6},
+          {{1900, 20e6, 0.45}, 10e3, 0, 50e3, 0.01},
+          {{1900, 20e6, 0.2}, 10e3, 1e6, 20e3, 1e-5},
+          {{1000, 1e6, 0.3}, 1e6}};
+}
+template <>
+inline std::vector<DruckerPrager> law_samples() {
   return {{{1900, 20e6, 0.3}, 10e3, 28, 0},
           {{1900, 20e6, 0.3}, 0, 33, 10},
-          {{1900, 20e6, 0.2}, 5e3, 20, 20},
+          {{1900, 20e6, 0.2}, 5e3, 20, 20, 2e3, ConeMatch::plane_strain_associated},
+          {{1900, 20e6, 0.3}, 20e3, 35, 5, 0.0, ConeMatch::inner},
+          {{1900, 20e6, 0.3}, 20e3, 35, 35, 10e3, ConeMatch::outer},
           {{1900, 20e6, 0.4}, 50e3, 0, 0}};
+}
+/// With a cut-off in tension below the apex, at zero and without an apex; with softening of one strength or all, slow
+/// or so fast that a step falls to the residual strength. Residual surfaces lie within the first ones.
+template <>
+inline std::vector<MohrCoulomb> law_samples() {
+  std::vector<MohrCoulomb> samples{{{1900, 20e6, 0.3}, 10e3, 28, 0},         {{1900, 20e6, 0.3}, 0, 33, 10},
+                                   {{1900, 20e6, 0.2}, 5e3, 20, 20},         {{1900, 20e6, 0.4}, 50e3, 0, 0},
+                                   {{1900, 20e6, 0.3}, 10e3, 28, 0, 5e3},    {{1900, 20e6, 0.2}, 20e3, 35, 10, 0.0},
+                                   {{1900, 20e6, -0.1}, 20e3, 30, 30, 10e3}, {{1900, 20e6, 0.4}, 50e3, 0, 0, 30e3}};
+  MohrCoulomb sensitive{{1900, 20e6, 0.3}, 10e3, 30, 5, 4e3};
+  sensitive.residual_cohesion = 1e3;
+  sensitive.softening_strain = 0.1;
+  samples.push_back(sensitive);
+  sensitive.residual_friction_angle = 18;
+  sensitive.residual_dilatancy_angle = 0;
+  sensitive.softening = Softening::exponential;
+  samples.push_back(sensitive);
+  sensitive.tension_strength.reset();
+  sensitive.softening_strain = 1e-5;
+  samples.push_back(sensitive);
+  sensitive.residual_cohesion = 0;
+  sensitive.softening = Softening::linear;
+  sensitive.softening_strain = 2e-3;
+  samples.push_back(sensitive);
+  return samples;
 }
 
 }  // namespace scarp::test
