@@ -15,6 +15,11 @@ std::uint8_t bits(Condition condition, int axis) {
   return condition == Condition::fixed ? 7 : static_cast<std::uint8_t>(1 << axis);
 }
 
+std::uint8_t bits(FaceCondition condition, int axis) {
+  if (condition == FaceCondition::roller) return bits(Condition::roller, axis);
+  return condition == FaceCondition::fixed ? bits(Condition::fixed, axis) : std::uint8_t{0};
+}
+
 /// x fastest, like ReferenceGrid::nodes.
 bool before(const LatticeIndex& a, const LatticeIndex& b) {
   return a[2] != b[2] ? a[2] < b[2] : a[1] != b[1] ? a[1] < b[1] : a[0] < b[0];
@@ -26,8 +31,8 @@ void hold_faces(std::vector<std::uint8_t>& held, const Domain& domain, const Lat
   for (std::size_t i = 0; i < grid.nodes.size(); ++i)
     for (int a = 0; a < grid.dimension; ++a) {
       const double x = lattice.origin[a] + grid.nodes[i][a] * lattice.cell;
-      if (x <= domain.min[a] + slack) held[i] |= bits(domain.faces[2 * a], a);
-      if (x >= domain.max[a] - slack) held[i] |= bits(domain.faces[2 * a + 1], a);
+      if (x <= domain.min[a] + slack) held[i] |= bits(domain.faces[2 * a].condition, a);
+      if (x >= domain.max[a] - slack) held[i] |= bits(domain.faces[2 * a + 1].condition, a);
     }
 }
 

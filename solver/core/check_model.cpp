@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/core/check_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -67,6 +68,13 @@ void check_particle(const Model& model, std::int32_t body, std::size_t p) {
     refuse("motion out of the plane" + name(), text(v), "none in plane strain");
 }
 
+void check_relaxing(const RelaxOptions& relax) {
+  if (!(relax.until > 0 && relax.until < 1)) refuse("relax.until", shortest(relax.until), "above 0, below 1");
+  if (relax.time && !(*relax.time > 0 && std::isfinite(*relax.time)))
+    refuse("relax.time", shortest(*relax.time), "above 0 s");
+  if (!(relax.damping > 0 && relax.damping < 1)) refuse("relax.damping", shortest(relax.damping), "above 0, below 1");
+}
+
 }  // namespace
 
 void check_model(const Model& model) {
@@ -87,8 +95,14 @@ void check_options(const SolverOptions& options, int dimension) {
   if (!(options.courant > 0 && options.courant <= 1))
     refuse("courant", shortest(options.courant), "above 0, at most 1");
   if (!(options.flip >= 0 && options.flip <= 1)) refuse("flip", shortest(options.flip), "0 to 1");
+  if (!(options.pic_rate >= 0) || !std::isfinite(options.pic_rate))
+    refuse("pic_rate", shortest(options.pic_rate), "0 1/s or above");
   if (!(options.end_time > 0) || !std::isfinite(options.end_time))
     refuse("end_time", shortest(options.end_time), "above 0 s");
+  if (!(options.gravity_ramp >= 0) || !std::isfinite(options.gravity_ramp))
+    refuse("gravity_ramp", shortest(options.gravity_ramp), "0 s or above");
+  if (!(options.damping >= 0 && options.damping < 1)) refuse("damping", shortest(options.damping), "0 to below 1");
+  if (options.relax) check_relaxing(*options.relax);
   if (options.max_steps < 1) refuse("max_steps", std::to_string(options.max_steps), "at least 1");
 }
 
@@ -98,6 +112,28 @@ void check_options(const OutputOptions& options) {
   };
   check("every", options.every);
   check("history_every", options.history_every);
+}
+
+void check_formulations(const Model& model, const SolverOptions& options) {
+  for (const Body& body : model.bodies) {
+    if (body.formulation != Formulation::total_lagrangian) {
+      if (!model.loads.empty())
+        refuse("loads with updated-Lagrangian body '" + body.name + "'", std::to_string(model.loads.size()),
+               "none: loads act on total-Lagrangian bodies only");
+      continue;
+    }
+    if (options.update != UpdateOrder::musl)
+      refuse("update of total-Lagrangian body '" + body.name + "'", std::string(name_of(options.update)),
+             "musl; or formulation = \"updated-lagrangian\" for the body");
+    if (options.shape != ShapeFunction::linear)
+      refuse("shape of total-Lagrangian body '" + body.name + "'", std::string(name_of(options.shape)),
+             "linear; or formulation = \"updated-lagrangian\" for the body");
+  }
+}
+
+bool has_formulation(const Model& model, Formulation formulation) {
+  return std::any_of(model.bodies.begin(), model.bodies.end(),
+                     [&](const Body& body) { return body.formulation == formulation; });
 }
 
 }  // namespace scarp

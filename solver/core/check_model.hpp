@@ -15,4 +15,10 @@ void check_model(const Model& model);
 void check_options(const SolverOptions& options, int dimension);
 void check_options(const OutputOptions& options);
 
+/// @throws Error ("solve") where a total-Lagrangian body meets an update order or a shape that only updated-Lagrangian
+///         bodies have.
+void check_formulations(const Model& model, const SolverOptions& options);
+
+bool has_formulation(const Model& model, Formulation formulation);
+
 }  // namespace scarp

@@ -66,6 +66,13 @@ HistorySample Diagnostics::measure(const Model& model, const std::vector<Prepare
   return sum;
 }
 
+void add_work(HistorySample& sample, const NodeWork& work) {
+  sample.friction = work.friction;
+  sample.damping = work.damping;
+  sample.external = work.external;
+  sample.total += work.friction + work.damping - work.external;
+}
+
 double largest_displacement(const Particles& particles) {
   double largest = 0;
   for (std::size_t p = 0; p < particles.size(); ++p)

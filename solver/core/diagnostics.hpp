@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "solver/core/node_step.hpp"
 #include "solver/materials/law.hpp"
 #include "solver/model/model.hpp"
 
@@ -19,6 +20,9 @@ class Diagnostics {
  private:
   std::vector<HistorySample> blocks_;
 };
+
+/// What the nodes' conditions took and gave, into the sample and its total.
+void add_work(HistorySample& sample, const NodeWork& work);
 
 /// Largest |x - X|, m.
 double largest_displacement(const Particles& particles);

@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "solver/core/check_model.hpp"
+#include "solver/core/current_wave_speed.hpp"
 #include "solver/core/output_clock.hpp"
 #include "solver/core/reference_grid.hpp"
+#include "solver/core/updated_grid.hpp"
 #include "solver/materials/law.hpp"
 
 namespace scarp {
@@ -44,19 +46,43 @@ double fastest_wave_per_cell(const Model& model, const Body& body) {
   return std::sqrt(c2) / body.lattice.cell;
 }
 
+/// (c + |v|) / cell in the current configuration.
+double fastest_signal_per_cell(const Model& model, const UpdatedGrid& grid) {
+  double c2 = 0, speed = 0;
+  for (std::uint32_t p : grid.particles) {
+    const Mat3& F = model.particles.deformation_gradient[p];
+    std::visit(
+        [&](const auto& m) {
+          const typename std::decay_t<decltype(m)>::Law law(m);
+          const PointHistory history{model.particles.elastic_left_cauchy_green[p], 0, 0};
+          c2 = std::max(c2, current_wave_speed_squared(law, make_motion(F, F), history));
+        },
+        model.materials[model.particles.material[p]].law);
+    speed = std::max(speed, norm(model.particles.velocity[p]));
+  }
+  return (std::sqrt(c2) + speed) / grid.cell;
+}
+
 }  // namespace
 
 RunEstimate estimate(const Model& model, const SolverOptions& options, const OutputOptions& output) {
   check_model(model);
   check_options(options, model.domain.dimension);
   check_options(output);
+  check_formulations(model, options);
   RunEstimate result;
   const double count = static_cast<double>(model.particles.size());
   result.memory_bytes = count * bytes_per_particle(model.particles);
   double fastest = 0;
   for (const Body& body : model.bodies) {
+    if (body.formulation != Formulation::total_lagrangian) continue;
     result.memory_bytes += grid_bytes(count_grid(model, body), 1 << body.lattice.dimension());
     fastest = std::max(fastest, fastest_wave_per_cell(model, body));
+  }
+  if (has_formulation(model, Formulation::updated_lagrangian)) {
+    const UpdatedGrid grid = make_updated_grid(model, options.shape, 1);
+    result.memory_bytes += memory_bytes(grid);
+    fastest = std::max(fastest, fastest_signal_per_cell(model, grid));
   }
   result.time_step = options.courant / fastest;
   // Between two due times the steps are cut to a whole number.

@@ -8,8 +8,9 @@
 
 #include "solver/core/check_model.hpp"
 #include "solver/core/diagnostics.hpp"
+#include "solver/core/formulations.hpp"
+#include "solver/core/initial_state.hpp"
 #include "solver/core/output_clock.hpp"
-#include "solver/core/step_total.hpp"
 
 namespace scarp {
 namespace {
@@ -31,6 +32,7 @@ struct Run {
     sample.time = method.time();
     sample.step = report.steps;
     sample.dt = dt;
+    add_work(sample, method.work());
     return sample;
   }
 
@@ -63,15 +65,24 @@ struct Run {
   Model& model;
   FrameSink& sink;
   int threads;
-  TotalLagrangian method;
+  Formulations method;
   Diagnostics diagnostics;
   OutputClock clock;
   RunReport report;
 };
 
+/// No machine takes this many steps; the parameters are a slip.
+void refuse_endless(double end_time, double first_step) {
+  constexpr double most_steps = 1e12;
+  if (first_step > 0 && end_time / first_step > most_steps)
+    throw Error("solve", "the first time step would be " + shortest(first_step) + " s, too short for the end time",
+                shortest(end_time / first_step) + " steps",
+                "at most 1e12 steps: softer materials, larger cells or a shorter end time");
+}
+
 /// Why no further step can be taken, if so.
 std::optional<Failure> obstacle(const Run& run, std::int64_t max_steps, double stable, double first_stable) {
-  if (run.method.bad_particle() >= 0) return describe_bad_particle(run.model.particles, run.method.bad_particle());
+  if (auto failure = run.method.failure()) return failure;
   if (run.report.steps >= max_steps) return Failure{.what = "max_steps reached before the end time"};
   if (!(stable > kCollapse * first_stable)) return Failure{.what = "the time step has collapsed"};
   return std::nullopt;
@@ -88,9 +99,11 @@ void finish(Run& run) {
 RunReport run(Model& model, const SolverOptions& options, const OutputOptions& output, FrameSink& sink, int threads) {
   check_options(output);
   Run run(model, options, output, sink, threads);
-  TotalLagrangian& method = run.method;
+  Formulations& method = run.method;
+  if (auto failure = relax(method, model, options, threads)) run.fail(*failure);
   const double first_stable = method.stable_time_step();
-  if (method.bad_particle() < 0) {
+  refuse_endless(options.end_time, first_stable);
+  if (!run.report.failed && !method.failure()) {
     run.record(0);
     sink.frame(model, 0, 0);
   }
@@ -108,8 +121,8 @@ RunReport run(Model& model, const SolverOptions& options, const OutputOptions& o
     ++report.steps;
     report.smallest_dt = report.steps == 1 ? dt : std::min(report.smallest_dt, dt);
     report.largest_dt = std::max(report.largest_dt, dt);
-    if (method.bad_particle() >= 0) {
-      run.fail(describe_bad_particle(model.particles, method.bad_particle()));
+    if (auto failure = method.failure()) {
+      run.fail(*failure);
       break;
     }
     sink.progress(time, options.end_time, report.steps, dt);

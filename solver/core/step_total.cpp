@@ -7,6 +7,7 @@
 
 #include "solver/core/check_model.hpp"
 #include "solver/core/stress.hpp"
+#include "solver/core/total_loads.hpp"
 #include "solver/core/transfer.hpp"
 
 namespace scarp {
@@ -15,6 +16,11 @@ namespace {
 void collect(const StressOutcome& outcome, double cell, double& fastest, std::int64_t& bad_particle) {
   fastest = std::max(fastest, std::sqrt(outcome.largest_wave_speed_squared) / cell);
   if (bad_particle < 0) bad_particle = outcome.bad_particle;
+}
+
+NodeStep nodes_of(TotalBody& body, double dt, double time) {
+  return {
+      body.grid.nodes.size(), body.grid.node_mass.data(), body.velocity.data(), body.velocity_updated.data(), dt, time};
 }
 
 }  // namespace
@@ -28,17 +34,29 @@ TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int
     : model_(model),
       gravity_(gravity_of(options, model.domain.dimension)),
       flip_(options.flip),
+      pic_rate_(options.pic_rate),
       courant_(options.courant),
+      gravity_ramp_(options.gravity_ramp),
+      damping_(options.damping),
       threads_(std::max(1, threads)) {
   check_model(model);
   check_options(options, model.domain.dimension);
   sort_by_cell(model);
   for (const NamedMaterial& material : model.materials) laws_.push_back(prepare(material.law));
-  for (const Body& body : model.bodies) bodies_.push_back(make_total_body(model, body));
+  for (const Body& body : model.bodies)
+    if (body.formulation == Formulation::total_lagrangian) bodies_.push_back(make_total_body(model, body));
+  set_loads(bodies_, model);
+  for (TotalBody& body : bodies_) body.conditions.damping = damping_;
+  map_state();
+}
+
+void TotalLagrangian::map_state() {
+  fastest_ = 0;
+  bad_particle_ = -1;
   for (TotalBody& body : bodies_) {
-    map_momentum(model_.particles, body, threads_);                                                         // (1)
-    find_node_velocities(body, threads_);                                                                   // (2)
-    collect(map_stress(model_.particles, body, laws_, threads_), body.grid.cell, fastest_, bad_particle_);  // (1)
+    map_momentum(model_.particles, body, threads_);                                                             // (1)
+    find_node_velocities(body, threads_);                                                                       // (2)
+    collect(map_stress(model_.particles, body, body.laws, threads_), body.grid.cell, fastest_, bad_particle_);  // (1)
   }
 }
 
@@ -48,18 +66,55 @@ double TotalLagrangian::stable_time_step() const {
 
 std::int64_t TotalLagrangian::step(double dt) {
   Particles& particles = model_.particles;
+  const Vec3 gravity = gravity_at(time_ + 0.5 * dt);
   fastest_ = 0;
   bad_particle_ = -1;
   for (TotalBody& body : bodies_) {
     if (body_force) add_body_force(particles, body, [&](const Vec3& X) { return body_force(X, time_); });  // (1)
-    advance_nodes(body, gravity_, dt, threads_);                                                           // (2)
-    advance_particles(particles, body, flip_, dt, threads_);                                               // (3), (1)
-    find_node_velocities(body, threads_);                                                                  // (5), (2)
-    collect(update_stress(particles, body, laws_, dt, threads_), body.grid.cell, fastest_,
+    advance_nodes(body, gravity, dt, threads_);                                                            // (2)
+    work_ =
+        work_ + act_on_nodes(body.conditions, nodes_of(body, dt, time_), body.held_now, gravity - gravity_, threads_);
+    advance_particles(particles, body, flip_ * std::exp(-pic_rate_ * dt), dt, threads_);  // (3), (1)
+    find_node_velocities(body, threads_);                                                 // (5), (2)
+    body.conditions.loads.hold(body.velocity, time_ + dt);
+    collect(update_stress(particles, body, body.laws, dt, threads_), body.grid.cell, fastest_,
             bad_particle_);  // (5), (6), (1)
   }
   time_ += dt;
   return bad_particle_;
+}
+
+/// Smoothly from 0 to all of it: no kink at either end.
+Vec3 TotalLagrangian::gravity_at(double time) const {
+  if (!(time < gravity_ramp_)) return gravity_;
+  const double s = time / gravity_ramp_;
+  return (s * s * (3 - 2 * s)) * gravity_;
+}
+
+void TotalLagrangian::begin_relaxing(double damping) {
+  start_velocity_ = model_.particles.velocity;
+  std::fill(model_.particles.velocity.begin(), model_.particles.velocity.end(), Vec3{0, 0, 0});
+  for (TotalBody& body : bodies_) {
+    body.conditions.damping = damping;
+    body.conditions.faces.hold_still(true);
+    body.conditions.loads.hold_still(true);
+  }
+  map_state();
+}
+
+void TotalLagrangian::rest() {
+  model_.particles.velocity = std::move(start_velocity_);
+  model_.particles.position = model_.particles.reference_position;
+  for (TotalBody& body : bodies_) {
+    body.conditions.damping = damping_;
+    body.conditions.faces.hold_still(false);
+    body.conditions.loads.hold_still(false);
+    body.held_now = body.held;
+  }
+  map_state();
+  gravity_ramp_ = 0;
+  work_ = {};
+  time_ = 0;
 }
 
 }  // namespace scarp

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "solver/core/boundary.hpp"
+#include "solver/core/wave_speeds.hpp"
 
 namespace scarp {
 namespace {
@@ -29,6 +30,14 @@ std::vector<CellTask> cut_into_tasks(const Particles& particles, const Reference
   return tasks;
 }
 
+std::vector<Vec3> positions_of(const ReferenceGrid& grid, const Lattice& lattice) {
+  std::vector<Vec3> positions;
+  positions.reserve(grid.nodes.size());
+  for (const LatticeIndex& i : grid.nodes)
+    positions.push_back(lattice.origin + lattice.cell * Vec3{1.0 * i[0], 1.0 * i[1], 1.0 * i[2]});
+  return positions;
+}
+
 }  // namespace
 
 TotalBody make_total_body(const Model& model, const Body& body) {
@@ -36,8 +45,14 @@ TotalBody make_total_body(const Model& model, const Body& body) {
   total.begin = body.begin;
   total.end = body.end;
   total.grid = build_reference_grid(model, body);
+  for (const NamedMaterial& material : model.materials) total.laws.push_back(prepare(material.law, body.lattice.cell));
   total.tasks = cut_into_tasks(model.particles, total.grid);
   total.held = held_axes(model.domain, body, total.grid);
+  total.held_now = total.held;
+  total.node_positions = positions_of(total.grid, body.lattice);
+  total.conditions.faces = NodeFaces(
+      model.domain, body.lattice.cell, total.node_positions, total.held,
+      has_absorbing_face(model.domain) ? node_wave_speeds(model, total.grid, body.begin) : std::vector<Vec2>(), true);
   const std::size_t nodes = total.grid.nodes.size();
   total.inverse_mass.resize(nodes);
   std::transform(total.grid.node_mass.begin(), total.grid.node_mass.end(), total.inverse_mass.begin(),

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/core/node_conditions.hpp"
 #include "solver/core/reference_grid.hpp"
+#include "solver/materials/law.hpp"
 
 namespace scarp {
 
@@ -25,7 +27,11 @@ struct TotalBody {
   std::size_t end = 0;
   ReferenceGrid grid;
   std::vector<CellTask> tasks;
+  std::vector<PreparedLaw> laws;       ///< of Model::materials, for the size of this body's cells
   std::vector<std::uint8_t> held;      ///< per node, see held_axes
+  std::vector<std::uint8_t> held_now;  ///< the same, and where faces hold the node since the last step
+  NodeConditions conditions;
+  std::vector<Vec3> node_positions;    ///< in the reference configuration, m
   std::vector<double> inverse_mass;    ///< 1 / m_I
   std::vector<Vec3> velocity;          ///< v_I, of the momentum mapped last
   std::vector<Vec3> velocity_updated;  ///< v~_I

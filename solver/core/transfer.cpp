@@ -104,7 +104,7 @@ void map_momentum(const Particles& particles, TotalBody& body, int threads) {
 void find_node_velocities(TotalBody& body, int threads) {
   for_each_node(body, threads, [&](std::size_t i, const Vec3& momentum) {
     body.velocity[i] = body.inverse_mass[i] * momentum;
-    hold(body.velocity[i], body.held[i]);
+    hold(body.velocity[i], body.held_now[i]);
   });
 }
 

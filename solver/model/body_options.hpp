@@ -14,11 +14,11 @@
 
 namespace scarp {
 
-enum class Formulation { total_lagrangian };
+enum class Formulation { total_lagrangian, updated_lagrangian };
 template <>
 struct enum_names<Formulation> {
-  static constexpr std::array<std::pair<std::string_view, Formulation>, 1> value{
-      {{"total-lagrangian", Formulation::total_lagrangian}}};
+  static constexpr std::array<std::pair<std::string_view, Formulation>, 2> value{
+      {{"total-lagrangian", Formulation::total_lagrangian}, {"updated-lagrangian", Formulation::updated_lagrangian}}};
 };
 
 /// How an open terrain surface becomes a solid.
@@ -39,6 +39,7 @@ struct ScanVolume {
   std::vector<Vec2> outline;
   double longest_edge = 0;
   Condition base = Condition::fixed;
+  bool hold_skirt = false;
 
   template <class V>
   void describe(V&& v) {
@@ -57,6 +58,8 @@ struct ScanVolume {
            .unit = "m",
            .at_least = 0});
     v("base", base, Spec{.text = "what the ground below the base does to the nodes there"});
+    v("hold_skirt", hold_skirt,
+      Spec{.text = "whether the ground beyond the outline holds the nodes there, as where a scan ends raggedly"});
   }
 };
 
@@ -208,7 +211,11 @@ struct BodyOptions {
     v("material", material, Spec{.text = "name of its material", .required = true});
     v("materials", materials, Spec{.text = "rules that give single points another material; later rules win"});
     v("velocity", velocity, Spec{.text = "initial velocity", .unit = "m/s"});
-    v("formulation", formulation, Spec{.text = "configuration in which the weights are taken"});
+    v("formulation", formulation,
+      Spec{.text =
+               "configuration in which the weights are taken: \"total-lagrangian\", the reference one, on a grid of "
+               "the body's own; \"updated-lagrangian\", the current one, on the domain's grid, where such bodies "
+               "meet and stick, part and flow without limit"});
   }
 };
 

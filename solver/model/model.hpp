@@ -10,6 +10,7 @@
 #include "solver/materials/material.hpp"
 #include "solver/model/body_options.hpp"
 #include "solver/model/domain.hpp"
+#include "solver/model/load_options.hpp"
 #include "solver/model/particles.hpp"
 #include "solver/model/reports.hpp"
 #include "solver/model/site.hpp"
@@ -46,6 +47,7 @@ struct Model {
   Particles particles;
   std::vector<VolumeReport> volumes;  ///< one per body
   SiteFrame site;
+  std::vector<LoadOptions> loads;  ///< local; of the run, not stored with the model
 };
 
 }  // namespace scarp

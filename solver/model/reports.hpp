@@ -41,7 +41,7 @@ struct VolumeReport {
   std::vector<std::pair<std::string, double>> volume_by_material;
   bool closed = true;
   bool self_intersecting = false;
-  double plan_area = 0;  ///< m2, 2.5D solids: of the part that has thickness; else 0
+  double plan_area = 0;                        ///< m2, 2.5D solids: of the part that has thickness; else 0
   std::size_t points_beside_rule_surface = 0;  ///< where a `below` rule's raster has no value, so that it took none
 
   double relative_difference() const { return input_volume > 0 ? (particle_volume - input_volume) / input_volume : 0; }
@@ -56,7 +56,11 @@ struct HistorySample {
   double strain = 0;
   double plastic = 0;
   double potential = 0;  ///< gravity, relative to the reference configuration
-  double total = 0;
+  double friction = 0;   ///< lost on faces with friction since the start
+  double damping = 0;    ///< lost to damping and absorbing faces since the start
+  double external =
+      0;  ///< done on the model by loads since the start, and by gravity as far as it differs from its steady value
+  double total = 0;  ///< kinetic + strain + plastic + potential + friction + damping - external
   Vec3 momentum{0, 0, 0};
 };
 

@@ -20,9 +20,7 @@
 namespace scarp {
 
 struct BoundaryOptions {
-  Condition x_min = Condition::free, x_max = Condition::free;
-  Condition y_min = Condition::free, y_max = Condition::free;
-  Condition z_min = Condition::free, z_max = Condition::free;
+  Face x_min, x_max, y_min, y_max, z_min, z_max;
 
   template <class V>
   void describe(V&& v) {
@@ -64,6 +62,7 @@ struct Scenario {
   DomainOptions domain;
   std::map<std::string, Material> materials;
   std::vector<BodyOptions> bodies;
+  std::vector<LoadOptions> loads;
   SolverOptions solver;
   OutputOptions output;
   std::vector<RenderOptions> render;
@@ -76,6 +75,7 @@ struct Scenario {
     v("domain", domain, Spec{.text = "the box, its grid and its faces", .required = true});
     v("materials", materials, Spec{.text = "laws and their parameters, by name", .required = true});
     v("bodies", bodies, Spec{.text = "what is simulated", .required = true});
+    v("loads", loads, Spec{.text = "what acts on the bodies in time, beside gravity"});
     v("solver", solver, Spec{.text = "method and time", .required = true});
     v("output", output, Spec{.text = "what is kept of the run"});
     v("render", render, Spec{.text = "pictures"});

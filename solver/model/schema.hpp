@@ -15,9 +15,9 @@
 //
 // Visitors (tools/scenario) make of it the parser, the validator, `scarp describe` and the resolved scenario.
 // What a visitor meets as `member`: bool, int, std::int64_t, double, std::string, InputFile, Vec2, Vec3,
-// std::vector<Vec2>, an enum with enum_names, std::optional of any of these or of a struct, a nested struct,
-// a std::vector of structs, choices, strings or enums, std::map<std::string, ...>, and a choice (std::variant
-// with a choice_key).
+// std::vector<Vec2>, an enum with enum_names, std::optional of any of these or of a struct, a nested struct (with
+// short_names also a bare name), a std::vector of structs, choices, strings or enums, std::map<std::string, ...>, and a
+// choice (std::variant with a choice_key).
 #pragma once
 
 #include <cmath>
@@ -55,6 +55,12 @@ struct choice_key;
 /// Names of an enum's values: specialise with `static constexpr std::array<std::pair<std::string_view, E>, n> value`.
 template <class E>
 struct enum_names;
+
+/// For a struct that may also be written as a bare name: specialise with `static constexpr
+/// std::array<std::pair<std::string_view, S>, n> value`, what the names stand for, and `static constexpr S table`,
+/// what a table fills.
+template <class S>
+struct short_names;
 
 template <class E>
 std::string_view name_of(E value) {

@@ -6,29 +6,38 @@
 #include <optional>
 #include <vector>
 
+#include "solver/model/load_options.hpp"
 #include "solver/model/math.hpp"
 #include "solver/model/output_field.hpp"
 #include "solver/model/schema.hpp"
 
 namespace scarp {
 
-enum class UpdateOrder { musl };
+enum class UpdateOrder { musl, usl, usf };
 template <>
 struct enum_names<UpdateOrder> {
-  static constexpr std::array<std::pair<std::string_view, UpdateOrder>, 1> value{{{"musl", UpdateOrder::musl}}};
+  static constexpr std::array<std::pair<std::string_view, UpdateOrder>, 3> value{
+      {{"musl", UpdateOrder::musl}, {"usl", UpdateOrder::usl}, {"usf", UpdateOrder::usf}}};
 };
 
-enum class ShapeFunction { linear };
+enum class ShapeFunction { linear, quadratic_bspline, gimp };
 template <>
 struct enum_names<ShapeFunction> {
-  static constexpr std::array<std::pair<std::string_view, ShapeFunction>, 1> value{{{"linear", ShapeFunction::linear}}};
+  static constexpr std::array<std::pair<std::string_view, ShapeFunction>, 3> value{
+      {{"linear", ShapeFunction::linear},
+       {"quadratic-bspline", ShapeFunction::quadratic_bspline},
+       {"gimp", ShapeFunction::gimp}}};
 };
 
 struct SolverOptions {
   UpdateOrder update = UpdateOrder::musl;
   ShapeFunction shape = ShapeFunction::linear;
   double flip = 1.0;
+  double pic_rate = 0;
   std::optional<Vec3> gravity;
+  double gravity_ramp = 0;
+  double damping = 0;
+  std::optional<RelaxOptions> relax;
   double courant = 0.4;
   double end_time = 0;
   std::int64_t max_steps = 100'000'000;
@@ -36,10 +45,30 @@ struct SolverOptions {
   template <class V>
   void describe(V&& v) {
     v("update", update,
-      Spec{.text = "when the stress is updated: MUSL, after the momentum has been mapped a second time"});
-    v("shape", shape, Spec{.text = "shape functions of the grid"});
+      Spec{.text = "when the stress is updated: \"musl\", last, after the momentum has been mapped a second time; "
+                   "\"usl\", last, \"usf\", first, in updated-Lagrangian bodies only"});
+    v("shape", shape,
+      Spec{.text =
+               "shape functions of the grid; \"quadratic-bspline\" and \"gimp\" in updated-Lagrangian bodies only"});
     v("flip", flip, Spec{.text = "FLIP share of the velocity update; the rest is PIC", .at_least = 0, .at_most = 1});
+    v("pic_rate", pic_rate,
+      Spec{.text =
+               "rate at which FLIP velocities turn into PIC ones, whatever the time step: the FLIP share of a step is "
+               "flip exp(-pic_rate dt)",
+           .unit = "1/s",
+           .at_least = 0});
     v("gravity", gravity, Spec{.text = "acceleration of gravity; default 9.81 downwards", .unit = "m/s2"});
+    v("gravity_ramp", gravity_ramp,
+      Spec{.text = "gravity grows smoothly from nothing over this time; with `relax`, while relaxing",
+           .unit = "s",
+           .at_least = 0});
+    v("damping", damping,
+      Spec{.text = "local damping: share of a node's out-of-balance force that works against its velocity",
+           .at_least = 0,
+           .below = 1});
+    v("relax", relax,
+      Spec{.text =
+               "start from rest under gravity: relax first, then set velocity and displacement to zero, keep stress"});
     v("courant", courant, Spec{.text = "time step as a share of the stable one", .above = 0, .at_most = 1});
     v("end_time", end_time, Spec{.text = "simulated time", .unit = "s", .above = 0, .required = true});
     v("max_steps", max_steps, Spec{.text = "stop with a failure after this many steps", .at_least = 1});

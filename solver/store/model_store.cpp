@@ -49,7 +49,12 @@ void write_domain(Hdf5Writer& file, const Domain& domain) {
   file.attribute(group, "cell", domain.cell);
   file.attribute(group, "min", domain.min);
   file.attribute(group, "max", domain.max);
-  for (int face = 0; face < 6; ++face) file.text_attribute(group, kFaces[face], name_of(domain.faces[face]));
+  for (int face = 0; face < 6; ++face) {
+    const Face& held = domain.faces[face];
+    file.text_attribute(group, kFaces[face], name_of(held.condition));
+    if (held.condition == FaceCondition::friction)
+      file.attribute(group, kFaces[face] + std::string("_friction"), held.friction);
+  }
 }
 
 Domain read_domain(const Hdf5Reader& file) {
@@ -61,7 +66,12 @@ Domain read_domain(const Hdf5Reader& file) {
   domain.cell = file.attribute<double>(group, "cell");
   domain.min = file.attribute<Vec3>(group, "min");
   domain.max = file.attribute<Vec3>(group, "max");
-  for (int face = 0; face < 6; ++face) domain.faces[face] = read_enum<Condition>(file, group, kFaces[face]);
+  for (int face = 0; face < 6; ++face) {
+    Face& held = domain.faces[face];
+    held.condition = read_enum<FaceCondition>(file, group, kFaces[face]);
+    if (held.condition == FaceCondition::friction)
+      held.friction = file.attribute<double>(group, kFaces[face] + std::string("_friction"));
+  }
   return domain;
 }
 

@@ -4,6 +4,7 @@
 // Models for tests of the solver, seeded on a lattice without the discretize stage.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -17,7 +18,8 @@ namespace scarp::test {
 /// A domain from `min` to `max`, whole cells apart; 2D where max[2] == min[2].
 inline Model empty_model(const Vec3& min, const Vec3& max, double cell, std::array<Condition, 6> faces = {}) {
   Model model;
-  model.domain = {max[2] == min[2] ? 2 : 3, cell, min, max, faces};
+  model.domain = {max[2] == min[2] ? 2 : 3, cell, min, max, {}};
+  std::copy(faces.begin(), faces.end(), model.domain.faces.begin());
   return model;
 }
 

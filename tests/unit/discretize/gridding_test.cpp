@@ -39,8 +39,8 @@ TEST(Gridding, BodiesBoundsGrowToWholeCells) {
   const Model model = scene.build();
   EXPECT_EQ(model.domain.min, (Vec3{-1, 0.5, 0}));
   EXPECT_EQ(model.domain.max, (Vec3{1, 1, 0.5}));
-  EXPECT_EQ(model.domain.faces, (std::array{Condition::free, Condition::roller, Condition::free, Condition::free,
-                                            Condition::fixed, Condition::free}));
+  EXPECT_EQ(model.domain.faces, (std::array<Face, 6>{Condition::free, Condition::roller, Condition::free,
+                                                     Condition::free, Condition::fixed, Condition::free}));
   EXPECT_EQ(model.bodies[0].lattice.cells, (std::array<std::int32_t, 3>{4, 1, 1}));
 }
 

@@ -54,7 +54,11 @@ std::vector<double> parameters_of(Material material) {
 Model sample_model(std::size_t count) {
   Model model;
   model.site = {{512345, 5412345, 400}, "EPSG:25832"};
-  model.domain = {3, 0.5, {0, -1, 2}, {10, 11, 12}, {Condition::fixed, Condition::roller}};
+  model.domain = {3,
+                  0.5,
+                  {0, -1, 2},
+                  {10, 11, 12},
+                  {Condition::fixed, Condition::roller, FaceCondition::absorbing, Face(FaceCondition::friction, 0.4)}};
   add_every_law(model.materials);
   Body body;
   body.name = "H\xc3\xa4nge/\"slide\"";

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/formulations.hpp"
+
+#include <algorithm>
+
+#include "solver/core/check_model.hpp"
+#include "solver/core/diagnostics.hpp"
+#include "solver/core/reference_grid.hpp"
+
+namespace scarp {
+
+Formulations::Formulations(Model& model, const SolverOptions& options, int threads)
+    : model_(model), gravity_(gravity_of(options, model.domain.dimension)) {
+  check_model(model);
+  check_options(options, model.domain.dimension);
+  check_formulations(model, options);
+  sort_by_cell(model);
+  if (has_formulation(model, Formulation::total_lagrangian)) total_.emplace(model, options, threads);
+  if (has_formulation(model, Formulation::updated_lagrangian)) updated_.emplace(model, options, threads);
+}
+
+double Formulations::stable_time_step() const {
+  if (!total_) return updated_->stable_time_step();
+  if (!updated_) return total_->stable_time_step();
+  return std::min(total_->stable_time_step(), updated_->stable_time_step());
+}
+
+std::int64_t Formulations::step(double dt) {
+  if (total_) total_->step(dt);
+  if (updated_) updated_->step(dt);
+  time_ += dt;
+  return bad_particle();
+}
+
+std::int64_t Formulations::bad_particle() const {
+  if (total_ && total_->bad_particle() >= 0) return total_->bad_particle();
+  if (!updated_) return -1;
+  return updated_->bad_particle() >= 0 ? updated_->bad_particle() : updated_->lost_particle();
+}
+
+NodeWork Formulations::work() const {
+  NodeWork work;
+  if (total_) work = work + total_->work();
+  if (updated_) work = work + updated_->work();
+  return work;
+}
+
+void Formulations::begin_relaxing(double damping) {
+  start_velocity_ = model_.particles.velocity;
+  if (total_) total_->begin_relaxing(damping);
+  if (updated_) updated_->begin_relaxing(damping);
+}
+
+void Formulations::rest() {
+  if (total_) total_->rest();
+  model_.particles.velocity = std::move(start_velocity_);
+  if (updated_) updated_->rest();
+  time_ = 0;
+}
+
+void Formulations::set_time(double time) {
+  time_ = time;
+  if (total_) total_->set_time(time);
+  if (updated_) updated_->set_time(time);
+}
+
+std::optional<Failure> Formulations::failure() const {
+  if (total_ && total_->bad_particle() >= 0) return describe_bad_particle(model_.particles, total_->bad_particle());
+  if (!updated_) return std::nullopt;
+  if (updated_->bad_particle() >= 0) return describe_bad_particle(model_.particles, updated_->bad_particle());
+  const std::int64_t lost = updated_->lost_particle();
+  if (lost < 0) return std::nullopt;
+  Failure failure;
+  failure.what = "a particle has left the grid";
+  failure.particle = model_.particles.id[lost];
+  failure.position = model_.particles.position[lost];
+  return failure;
+}
+
+}  // namespace scarp

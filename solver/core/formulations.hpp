@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solver/core/step_total.hpp"
+#include "solver/core/step_updated.hpp"
+
+namespace scarp {
+
+/// All bodies of a model, each in its formulation, with one time step. Total- and updated-Lagrangian bodies do not
+/// feel each other.
+class Formulations {
+ public:
+  /// Checks the model and sorts its particles by cell. `model` must outlive this object.
+  /// @throws Error ("solve", "materials") where model or options cannot be run.
+  Formulations(Model& model, const SolverOptions& options, int threads);
+
+  /// The smaller of both, s; 0 where the state is not finite.
+  double stable_time_step() const;
+  /// bad_particle() after it.
+  std::int64_t step(double dt);
+
+  /// The first particle that stops the run: invalid, or off the grid; or -1.
+  std::int64_t bad_particle() const;
+
+  /// Why the state as it stands cannot go on, if so; step and time are the caller's.
+  std::optional<Failure> failure() const;
+
+  double time() const { return time_; }
+  void set_time(double time);
+  const std::vector<PreparedLaw>& laws() const { return total_ ? total_->laws() : updated_->laws(); }
+  const Vec3& gravity() const { return gravity_; }
+  /// Of the nodes' conditions since the start or the last rest().
+  NodeWork work() const;
+
+  /// A start at rest, see relax and the classes of the formulations: begins it.
+  void begin_relaxing(double damping);
+  /// Ends it; velocities are those from before.
+  void rest();
+
+ private:
+  Model& model_;
+  Vec3 gravity_;
+  double time_ = 0;
+  std::vector<Vec3> start_velocity_;
+  std::optional<TotalLagrangian> total_;
+  std::optional<UpdatedLagrangian> updated_;
+};
+
+}  // namespace scarp

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/step_updated.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/core/step_total.hpp"
+#include "solver/core/updated_stress.hpp"
+#include "solver/core/updated_transfer.hpp"
+
+namespace scarp {
+
+UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options, int threads)
+    : model_(model),
+      grid_(make_updated_grid(model, options.shape, threads)),
+      order_(options.update),
+      gravity_(gravity_of(options, model.domain.dimension)),
+      flip_(options.flip),
+      pic_rate_(options.pic_rate),
+      courant_(options.courant),
+      gravity_ramp_(options.gravity_ramp),
+      damping_(options.damping),
+      rough_faces_(std::any_of(model.domain.faces.begin(), model.domain.faces.end(),
+                               [](const Face& face) { return face.condition == FaceCondition::friction; })),
+      threads_(threads) {
+  conditions_.damping = damping_;
+  for (const NamedMaterial& material : model.materials) laws_.push_back(prepare(material.law, grid_.cell));
+  find_speeds();
+}
+
+void UpdatedLagrangian::find_speeds() {
+  particle_speed_ = 0;
+  for (std::uint32_t p : grid_.particles)
+    particle_speed_ = std::max(particle_speed_, norm(model_.particles.velocity[p]));
+  take(survey(model_.particles, grid_, laws_, threads_));
+}
+
+void UpdatedLagrangian::take(const UpdatedOutcome& outcome) {
+  wave_speed_ = std::sqrt(outcome.largest_wave_speed_squared);
+  bad_particle_ = outcome.bad_particle;
+}
+
+double UpdatedLagrangian::stable_time_step() const {
+  const double speed = wave_speed_ + particle_speed_;
+  return bad_particle_ < 0 && speed > 0 && std::isfinite(speed) ? courant_ * grid_.cell / speed : 0;
+}
+
+/// Damping and the faces with friction, whose nodes change with the occupied cells.
+void UpdatedLagrangian::let_conditions_act(double dt, const Vec3& gravity) {
+  if (rough_faces_ && faces_found_at_ != grid_.placings) {
+    conditions_.faces = NodeFaces(model_.domain, grid_.cell, node_positions(grid_), grid_.held, {}, false);
+    faces_found_at_ = grid_.placings;
+  }
+  const NodeStep nodes{grid_.nodes.size(), grid_.mass.data(), grid_.velocity.data(), grid_.velocity_updated.data(), dt};
+  work_ = work_ + act_on_nodes(conditions_, nodes, grid_.held_now, gravity - gravity_, threads_);
+}
+
+void UpdatedLagrangian::step(double dt) {
+  Particles& particles = model_.particles;
+  const Vec3 gravity = gravity_at(time_ + 0.5 * dt);
+  map_to_nodes(particles, grid_, threads_);  // (1)
+  find_node_velocities(grid_, threads_);     // (2)
+  if (order_ == UpdateOrder::usf) {
+    take(update_stress(particles, grid_, laws_, dt, threads_));  // (5), (6)
+    map_forces(particles, grid_, threads_);                      // (1)
+  }
+  advance_nodes(grid_, gravity, dt, threads_);  // (2)
+  let_conditions_act(dt, gravity);
+  particle_speed_ = advance_particles(particles, grid_, flip_ * std::exp(-pic_rate_ * dt), dt, threads_);  // (3), (5)
+  if (order_ != UpdateOrder::usf) {
+    if (order_ == UpdateOrder::musl)
+      find_node_velocities(grid_, threads_);  // (5)
+    else
+      take_updated_velocities(grid_, threads_);                  // (5)
+    take(update_stress(particles, grid_, laws_, dt, threads_));  // (5), (6)
+  }
+  lost_particle_ = place_particles(grid_, particles, threads_);
+  time_ += dt;
+}
+
+/// Smoothly from 0 to all of it: no kink at either end.
+Vec3 UpdatedLagrangian::gravity_at(double time) const {
+  if (!(time < gravity_ramp_)) return gravity_;
+  const double s = time / gravity_ramp_;
+  return (s * s * (3 - 2 * s)) * gravity_;
+}
+
+void UpdatedLagrangian::begin_relaxing(double damping) {
+  for (std::uint32_t p : grid_.particles) model_.particles.velocity[p] = {0, 0, 0};
+  conditions_.damping = damping;
+  find_speeds();
+}
+
+void UpdatedLagrangian::rest() {
+  for (std::uint32_t p : grid_.particles) model_.particles.position[p] = model_.particles.reference_position[p];
+  lost_particle_ = place_particles(grid_, model_.particles, threads_);
+  conditions_.damping = damping_;
+  find_speeds();
+  gravity_ramp_ = 0;
+  work_ = {};
+  time_ = 0;
+}
+
+}  // namespace scarp

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/core/node_conditions.hpp"
+#include "solver/core/updated_grid.hpp"
+#include "solver/core/updated_stress.hpp"
+#include "solver/materials/law.hpp"
+#include "solver/model/solver_options.hpp"
+
+namespace scarp {
+
+/// Explicit updated-Lagrangian MPM (method.md 1.1; Sulsky, Zhou, Schreyer 1995; Bardenhagen 2002 for the orders of the
+/// stress update) of all bodies of this formulation, on one grid: they meet, stick and part through it. 3D and plane
+/// strain.
+class UpdatedLagrangian {
+ public:
+  /// @param model  checked and sorted by cell; must outlive this object
+  /// @throws Error ("solve", "materials"), see make_updated_grid
+  UpdatedLagrangian(Model& model, const SolverOptions& options, int threads);
+
+  /// Largest stable step, s: courant * cell / (c + |v|), with c of the stiffest particle in the current configuration
+  /// and v of the fastest (method.md 1.2). 0 where the state is not finite.
+  double stable_time_step() const;
+
+  /// One step of `dt` seconds, in the order of the options.
+  void step(double dt);
+  void set_time(double time) { time_ = time; }
+  /// Of the nodes' conditions since the start or the last rest().
+  NodeWork work() const { return work_; }
+
+  /// For a start at rest (see relax): velocities are zero, damping is `damping`.
+  void begin_relaxing(double damping);
+  /// Ends it: each particle's position is its reference position, so that displacements count from here; stress, F and
+  /// history stay. Time and work are zero, gravity is the steady one. The particles' velocities are the caller's to
+  /// give, before.
+  void rest();
+
+  /// The first particle with J <= 0 or something not finite, or -1.
+  std::int64_t bad_particle() const { return bad_particle_; }
+  /// The first particle that has left the domain, or -1.
+  std::int64_t lost_particle() const { return lost_particle_; }
+  const std::vector<PreparedLaw>& laws() const { return laws_; }
+
+ private:
+  Vec3 gravity_at(double time) const;
+  void find_speeds();
+  void let_conditions_act(double dt, const Vec3& gravity);
+  void take(const UpdatedOutcome& outcome);
+
+  Model& model_;
+  std::vector<PreparedLaw> laws_;
+  UpdatedGrid grid_;
+  UpdateOrder order_;
+  Vec3 gravity_;
+  double flip_, pic_rate_, courant_, gravity_ramp_, damping_;
+  NodeConditions conditions_;
+  bool rough_faces_;                  ///< some face has friction
+  std::uint64_t faces_found_at_ = 0;  ///< UpdatedGrid::placings
+  NodeWork work_;
+  double time_ = 0;
+  int threads_;
+  double wave_speed_ = 0;      ///< m/s, of the stiffest particle
+  double particle_speed_ = 0;  ///< m/s, of the fastest
+  std::int64_t bad_particle_ = -1, lost_particle_ = -1;
+};
+
+}  // namespace scarp

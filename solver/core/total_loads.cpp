@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/total_loads.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "solver/core/linear_cell.hpp"
+#include "solver/model/error.hpp"
+
+namespace scarp {
+namespace {
+
+/// sum_p phi_Ip f_p of the body's particles.
+template <int D>
+std::vector<Vec3> map_forces(const TotalBody& body, const ParticleForces& load) {
+  using Cell = LinearCell<D>;
+  std::vector<Vec3> nodes(body.grid.nodes.size(), Vec3{0, 0, 0});
+  for (std::size_t k = 0; k < load.particles.size(); ++k) {
+    const std::size_t p = load.particles[k];
+    if (p < body.begin || p >= body.end) continue;
+    const auto& begin = body.grid.cell_begin;
+    const std::size_t cell = std::upper_bound(begin.begin(), begin.end(), p) - begin.begin() - 1;
+    typename Cell::Values m, weights{};
+    Cell::monomials(body.grid.xi[p - body.begin], m);
+    Cell::add_value(weights, m, 1);
+    Cell::to_corners(weights);
+    for (int c = 0; c < Cell::N; ++c) {
+      Vec3& node = nodes[body.grid.cell_nodes[cell * Cell::N + c]];
+      node = node + weights[c] * load.forces[k];
+    }
+  }
+  return nodes;
+}
+
+}  // namespace
+
+void set_loads(std::vector<TotalBody>& bodies, const Model& model) {
+  if (model.loads.empty()) return;
+  const std::vector<ParticleForces> forces = find_particle_forces(model);
+  std::vector<bool> found(model.loads.size(), false);
+  for (TotalBody& body : bodies) {
+    NodeLoads& loads = body.conditions.loads;
+    const std::vector<bool> here = loads.impose_velocities(model, body.node_positions, body.held);
+    for (std::size_t l = 0; l < found.size(); ++l) found[l] = found[l] || here[l];
+    body.held_now = body.held;
+    for (const ParticleForces& load : forces)
+      loads.add_forces(load.table, body.grid.dimension == 2 ? map_forces<2>(body, load) : map_forces<3>(body, load),
+                       body.held);
+  }
+  for (std::size_t l = 0; l < found.size(); ++l)
+    if (model.loads[l].velocity && !found[l])
+      throw Error("solve", "load '" + model.loads[l].name + "': its velocity is imposed on no node", "",
+                  "a region with nodes of a body, which are a cell apart");
+}
+
+}  // namespace scarp

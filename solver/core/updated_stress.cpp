@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/updated_stress.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/core/current_wave_speed.hpp"
+#include "solver/core/updated_window.hpp"
+
+namespace scarp {
+namespace {
+
+/// L of member m of cell c.
+template <int D, class S>
+Mat3 velocity_gradient(const UpdatedGrid& grid, std::size_t c, std::size_t m, const Vec3 (&v)[kWindow<D, S>]) {
+  Mat3 L{};
+  WindowWeights<D, S>(grid, c, m).each([&](int k, double, const Vec3& gradient) {
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) L[3 * i + j] += v[k][i] * gradient[j];
+  });
+  return L;
+}
+
+/// (I + dt L) F.
+Mat3 advanced(const Mat3& F, const Mat3& L, double dt) {
+  Mat3 next = multiply(L, F);
+  for (int i = 0; i < 9; ++i) next[i] = F[i] + dt * next[i];
+  return next;
+}
+
+/// Brings particle p from its F to `F`, with its stress and history where `move`.
+/// c^2 in the current configuration, or -1 where the state is no longer valid.
+template <class Law>
+double deform(Particles& particles, std::size_t p, const Law& law, const Mat3& F, bool move) {
+  const Motion motion = make_motion(particles.deformation_gradient[p], F);
+  particles.deformation_gradient[p] = F;
+  if (!(motion.J > 0 && motion.J < 1e100)) return -1;
+  PointHistory history;
+  if constexpr (Law::has_history)
+    history = {particles.elastic_left_cauchy_green[p], particles.equivalent_plastic_strain[p],
+               particles.plastic_work[p]};
+  Sym6& sigma = particles.stress[p];
+  if (move) {
+    sigma = law.stress(motion, history);
+    if constexpr (Law::has_history) {
+      particles.elastic_left_cauchy_green[p] = history.elastic_left_cauchy_green;
+      particles.equivalent_plastic_strain[p] = history.equivalent_plastic_strain;
+      particles.plastic_work[p] = history.plastic_work;
+    }
+  }
+  const double c2 = current_wave_speed_squared(law, motion, history);
+  return std::isfinite(c2 + sigma[0] + sigma[1] + sigma[2] + sigma[3] + sigma[4] + sigma[5]) ? c2 : -1;
+}
+
+void note(UpdatedOutcome& outcome, double c2, std::size_t p) {
+  outcome.largest_wave_speed_squared = std::max(outcome.largest_wave_speed_squared, c2);
+  const auto index = static_cast<std::int64_t>(p);
+  if (c2 < 0 && (outcome.bad_particle < 0 || index < outcome.bad_particle)) outcome.bad_particle = index;
+}
+
+template <int D, class S>
+void deform_cell(Particles& particles, const UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, double dt,
+                 bool move, std::size_t c, UpdatedOutcome& outcome) {
+  Vec3 v[kWindow<D, S>];
+  if (move)
+    for (int k = 0; k < kWindow<D, S>; ++k) v[k] = grid.velocity[window_node<D, S>(grid, c, k)];
+  for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+    const std::uint32_t p = grid.members[m];
+    const Mat3& old = particles.deformation_gradient[p];
+    const Mat3 F = move ? advanced(old, velocity_gradient<D, S>(grid, c, m, v), dt) : old;
+    const double c2 =
+        std::visit([&](const auto& law) { return deform(particles, p, law, F, move); }, laws[particles.material[p]]);
+    note(outcome, c2, p);
+  }
+}
+
+UpdatedOutcome sweep(Particles& particles, UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, double dt,
+                     bool move, int threads) {
+  std::vector<UpdatedOutcome> tasks(updated_tasks(grid));
+  with_shape(grid, [&]<int D, class S>() {
+    for_each_updated_cell(grid, threads, [&](std::size_t t, std::size_t c) {
+      deform_cell<D, S>(particles, grid, laws, dt, move, c, tasks[t]);
+    });
+  });
+  UpdatedOutcome all;
+  for (const UpdatedOutcome& task : tasks) {
+    note(all, task.largest_wave_speed_squared, 0);
+    if (task.bad_particle >= 0) note(all, -1, static_cast<std::size_t>(task.bad_particle));
+  }
+  return all;
+}
+
+}  // namespace
+
+UpdatedOutcome update_stress(Particles& particles, UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, double dt,
+                             int threads) {
+  return sweep(particles, grid, laws, dt, true, threads);
+}
+
+UpdatedOutcome survey(Particles& particles, UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, int threads) {
+  return sweep(particles, grid, laws, 0, false, threads);
+}
+
+}  // namespace scarp

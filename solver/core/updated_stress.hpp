@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "solver/core/updated_grid.hpp"
+#include "solver/materials/law.hpp"
+
+namespace scarp {
+
+/// What a stress sweep found among the particles of updated-Lagrangian bodies.
+struct UpdatedOutcome {
+  double largest_wave_speed_squared = 0;  ///< (m/s)^2, in the current configuration
+  std::int64_t bad_particle = -1;         ///< the first with J <= 0 or something not finite; -1 if all is well
+};
+
+/// Method.md 1.1, (5) and (6): L = sum v_I x grad phi_Ip, F <- (I + dt L) F, the law's stress.
+/// @param laws  prepared, in the order of Model::materials
+UpdatedOutcome update_stress(Particles& particles, UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, double dt,
+                             int threads);
+
+/// The same outcome for the state that the particles hold, which stays: for the start of a run.
+UpdatedOutcome survey(Particles& particles, UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, int threads);
+
+}  // namespace scarp

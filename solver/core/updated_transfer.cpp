@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/updated_transfer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/core/updated_window.hpp"
+#include "solver/materials/tensor.hpp"
+
+namespace scarp {
+namespace {
+
+constexpr std::size_t kNodesPerTask = 1024;
+
+/// V_p sigma_p, J.
+Sym6 volume_times_stress(const Particles& particles, std::size_t p) {
+  const double V = determinant(particles.deformation_gradient[p]) * particles.reference_volume[p];
+  Sym6 s = particles.stress[p];
+  for (double& component : s) component *= V;
+  return s;
+}
+
+/// a <- a - S g, in the first D components.
+template <int D>
+void subtract_product(Vec3& a, const Sym6& S, const Vec3& g) {
+  if constexpr (D == 2) {
+    a[0] -= S[0] * g[0] + S[3] * g[1];
+    a[1] -= S[3] * g[0] + S[1] * g[1];
+  } else {
+    a[0] -= S[0] * g[0] + S[3] * g[1] + S[5] * g[2];
+    a[1] -= S[3] * g[0] + S[1] * g[1] + S[4] * g[2];
+    a[2] -= S[5] * g[0] + S[4] * g[1] + S[2] * g[2];
+  }
+}
+
+template <int D, class S>
+void map_cell(const Particles& particles, UpdatedGrid& grid, std::size_t c) {
+  constexpr int window = kWindow<D, S>;
+  NodeSums sums[window];
+  for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+    const std::uint32_t p = grid.members[m];
+    const double mass = particles.mass[p];
+    const Vec3 momentum = mass * particles.velocity[p];
+    const Sym6 stress = volume_times_stress(particles, p);
+    WindowWeights<D, S>(grid, c, m).each([&](int k, double phi, const Vec3& gradient) {
+      sums[k].mass += phi * mass;
+      for (int d = 0; d < D; ++d) sums[k].momentum[d] += phi * momentum[d];
+      subtract_product<D>(sums[k].force, stress, gradient);
+    });
+  }
+  std::copy(sums, sums + window, &grid.slots[c * window]);
+}
+
+template <int D, class S>
+void map_forces_of_cell(const Particles& particles, UpdatedGrid& grid, std::size_t c) {
+  constexpr int window = kWindow<D, S>;
+  Vec3 force[window]{};
+  for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+    const Sym6 stress = volume_times_stress(particles, grid.members[m]);
+    WindowWeights<D, S>(grid, c, m).each([&](int k, double, const Vec3& gradient) {
+      subtract_product<D>(force[k], stress, gradient);
+    });
+  }
+  for (int k = 0; k < window; ++k) grid.slots[c * window + k].force = force[k];
+}
+
+/// The largest |v_p|^2.
+template <int D, class S>
+double advance_cell(Particles& particles, UpdatedGrid& grid, double flip, double dt, std::size_t c) {
+  constexpr int window = kWindow<D, S>;
+  Vec3 updated[window], change[window], momentum[window]{};
+  for (int k = 0; k < window; ++k) {
+    const std::uint32_t node = window_node<D, S>(grid, c, k);
+    updated[k] = grid.velocity_updated[node];
+    change[k] = updated[k] - flip * grid.velocity[node];
+  }
+  double fastest = 0;
+  for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+    const std::uint32_t p = grid.members[m];
+    const WindowWeights<D, S> weights(grid, c, m);
+    Vec3 gain{0, 0, 0}, carried{0, 0, 0};
+    weights.each_value([&](int k, double phi) {
+      for (int d = 0; d < D; ++d) {
+        gain[d] += phi * change[k][d];
+        carried[d] += phi * updated[k][d];
+      }
+    });
+    Vec3& v = particles.velocity[p];
+    v = flip * v + gain;
+    particles.position[p] = particles.position[p] + dt * carried;
+    fastest = std::max(fastest, dot(v, v));
+    const Vec3 mv = particles.mass[p] * v;
+    weights.each_value([&](int k, double phi) {
+      for (int d = 0; d < D; ++d) momentum[k][d] += phi * mv[d];
+    });
+  }
+  for (int k = 0; k < window; ++k) grid.slots[c * window + k].momentum = momentum[k];
+  return fastest;
+}
+
+/// Sum of the slots of node n; a cell that gives to it lies at most width - 1 before it on each axis.
+template <int D, class S>
+NodeSums gather(const UpdatedGrid& grid, const std::array<std::int32_t, 3>& n) {
+  constexpr int w = S::width;
+  NodeSums sum;
+  for (int k = 0; k < kWindow<D, S>; ++k) {
+    const std::array<int, 3> place{k % w, k / w % w, D == 2 ? 0 : k / (w * w)};
+    std::array<std::int32_t, 3> cell{0, 0, 0};
+    bool inside = true;
+    for (int a = 0; a < D; ++a) {
+      cell[a] = n[a] - place[a];
+      inside = inside && cell[a] >= 0 && cell[a] < grid.cell_count[a];
+    }
+    if (!inside) continue;
+    const std::uint32_t c = grid.cell_of_lattice[grid.lattice_cell(cell)];
+    if (c == UpdatedGrid::kNone) continue;
+    const NodeSums& slot = grid.slots[c * kWindow<D, S> + k];
+    sum.mass += slot.mass;
+    sum.momentum = sum.momentum + slot.momentum;
+    sum.force = sum.force + slot.force;
+  }
+  return sum;
+}
+
+/// f(node, sum of its slots).
+template <class F>
+void for_each_node(UpdatedGrid& grid, int threads, F&& f) {
+  const std::size_t nodes = grid.nodes.size();
+  with_shape(grid, [&]<int D, class S>() {
+    parallel_for((nodes + kNodesPerTask - 1) / kNodesPerTask, threads, [&](std::size_t t) {
+      for (std::size_t i = t * kNodesPerTask; i < std::min(nodes, (t + 1) * kNodesPerTask); ++i)
+        f(i, gather<D, S>(grid, grid.nodes[i]));
+    });
+  });
+}
+
+inline void hold(Vec3& v, std::uint8_t held) {
+  for (int a = 0; a < 3; ++a)
+    if (held >> a & 1) v[a] = 0;
+}
+
+}  // namespace
+
+void map_to_nodes(const Particles& particles, UpdatedGrid& grid, int threads) {
+  with_shape(grid, [&]<int D, class S>() {
+    for_each_updated_cell(grid, threads, [&](std::size_t, std::size_t c) { map_cell<D, S>(particles, grid, c); });
+  });
+}
+
+void map_forces(const Particles& particles, UpdatedGrid& grid, int threads) {
+  with_shape(grid, [&]<int D, class S>() {
+    for_each_updated_cell(grid, threads,
+                          [&](std::size_t, std::size_t c) { map_forces_of_cell<D, S>(particles, grid, c); });
+  });
+}
+
+void find_node_velocities(UpdatedGrid& grid, int threads) {
+  for_each_node(grid, threads, [&](std::size_t i, const NodeSums& sum) {
+    grid.mass[i] = sum.mass;
+    grid.velocity[i] = sum.mass > 0 ? (1 / sum.mass) * sum.momentum : Vec3{0, 0, 0};
+    hold(grid.velocity[i], grid.held_now[i]);
+  });
+}
+
+void advance_nodes(UpdatedGrid& grid, const Vec3& gravity, double dt, int threads) {
+  for_each_node(grid, threads, [&](std::size_t i, const NodeSums& sum) {
+    grid.velocity_updated[i] =
+        sum.mass > 0 ? grid.velocity[i] + dt * ((1 / sum.mass) * sum.force + gravity) : Vec3{0, 0, 0};
+    hold(grid.velocity_updated[i], grid.held[i]);
+  });
+}
+
+double advance_particles(Particles& particles, UpdatedGrid& grid, double flip, double dt, int threads) {
+  grid.task_maxima.assign(updated_tasks(grid), 0);
+  with_shape(grid, [&]<int D, class S>() {
+    for_each_updated_cell(grid, threads, [&](std::size_t t, std::size_t c) {
+      grid.task_maxima[t] = std::max(grid.task_maxima[t], advance_cell<D, S>(particles, grid, flip, dt, c));
+    });
+  });
+  double fastest = 0;
+  for (double v2 : grid.task_maxima) fastest = std::max(fastest, v2);
+  return std::sqrt(fastest);
+}
+
+void take_updated_velocities(UpdatedGrid& grid, int threads) {
+  parallel_for(grid.nodes.size(), threads, [&](std::size_t i) {
+    if (grid.mass[i] > grid.light_mass) grid.velocity[i] = grid.velocity_updated[i];
+  });
+}
+
+}  // namespace scarp
