@@ -145,7 +145,7 @@ Model discretize(const DiscretizeInput& input) {
     set_out(work, b, input.threads, model);
     dress(work, b, input, model, report);
     if (work.terrain())
-      model.bodies[b].held = hold_base(*work.terrain(), work.grid, work.columns, work.cells, input.threads);
+      model.bodies[b].held = hold_nodes(*work.terrain(), work.grid, work.columns, work.cells, input.threads);
     model.volumes.push_back(std::move(report));
   }
   return model;

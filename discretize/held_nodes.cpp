@@ -35,11 +35,35 @@ std::vector<double> base_at_nodes(const TerrainSolid& solid, const SubLattice& g
   return base;
 }
 
-}  // namespace
+/// Whether a cell beside the node in plan holds a column outside the solid's plan.
+bool on_skirt(const SubLattice& grid, const Columns& columns, std::int32_t node_i, std::int32_t node_j) {
+  const std::int32_t n = grid.per_cell;
+  for (std::int32_t b = (node_j - 1) * n; b < (node_j + 1) * n; ++b)
+    for (std::int32_t a = (node_i - 1) * n; a < (node_i + 1) * n; ++a) {
+      const bool beyond = a < 0 || b < 0 || a >= grid.x.count || b >= grid.y.count;
+      if (beyond || std::isnan(columns.top[grid.column(a, b)])) return true;
+    }
+  return false;
+}
 
-std::vector<NodeSet> hold_base(const TerrainSolid& solid, const SubLattice& grid, const Columns& columns,
-                               const std::vector<OccupiedCell>& cells, int threads) {
-  if (solid.base == Condition::free) return {};
+/// The corners of occupied cells for which held(cell, node) is true.
+template <class F>
+std::vector<std::array<std::int32_t, 3>> collect_nodes(const std::vector<OccupiedCell>& cells, F&& held) {
+  std::vector<std::array<std::int32_t, 3>> upside_down;  // z, y, x: sorts in the order of the lattice
+  for (const OccupiedCell& cell : cells)
+    for (int corner = 0; corner < 8; ++corner) {
+      const std::array<std::int32_t, 3> node{cell.at[0] + (corner & 1), cell.at[1] + (corner >> 1 & 1),
+                                             cell.at[2] + (corner >> 2)};
+      if (held(cell, node)) upside_down.push_back({node[2], node[1], node[0]});
+    }
+  std::sort(upside_down.begin(), upside_down.end());
+  upside_down.erase(std::unique(upside_down.begin(), upside_down.end()), upside_down.end());
+  for (auto& node : upside_down) std::swap(node[0], node[2]);
+  return upside_down;
+}
+
+NodeSet base_nodes(const TerrainSolid& solid, const SubLattice& grid, const Columns& columns,
+                   const std::vector<OccupiedCell>& cells, int threads) {
   const Lattice& lattice = grid.lattice;
   const Axis x = Axis::nodes(lattice.origin[0], lattice.cell, lattice.cells[0]);
   const Axis y = Axis::nodes(lattice.origin[1], lattice.cell, lattice.cells[1]);
@@ -47,25 +71,33 @@ std::vector<NodeSet> hold_base(const TerrainSolid& solid, const SubLattice& grid
   const std::vector<double> base = base_at_nodes(solid, grid, columns, x, y, threads);
   const double tiny = 1e-6 * lattice.cell;  // a base given as a multiple of the cell lies on its nodes
 
-  std::vector<std::uint8_t> seen(static_cast<std::size_t>(lattice.cells[0]) * lattice.cells[1], 0);
-  std::vector<std::array<std::int32_t, 3>> upside_down;  // z, y, x: sorts in the order of the lattice
-  for (const OccupiedCell& cell : cells) {               // ascending in z: the first of a column is its lowest
-    const auto& at = cell.at;
-    std::uint8_t& column = seen[static_cast<std::size_t>(at[1]) * lattice.cells[0] + at[0]];
-    for (int corner = 0; corner < 8; ++corner) {
-      const std::int32_t i = at[0] + (corner & 1), j = at[1] + (corner >> 1 & 1), k = at[2] + (corner >> 2);
-      const bool bottom_of_column = column == 0 && k == at[2];
-      if (bottom_of_column || z.at(k) <= base[static_cast<std::size_t>(j) * x.count + i] + tiny)
-        upside_down.push_back({k, j, i});
-    }
-    column = 1;
-  }
-  std::sort(upside_down.begin(), upside_down.end());
-  upside_down.erase(std::unique(upside_down.begin(), upside_down.end()), upside_down.end());
-  NodeSet set{"base", solid.base, solid.base == Condition::roller ? 2 : -1, {}};
-  set.nodes.reserve(upside_down.size());
-  for (const auto& node : upside_down) set.nodes.push_back({node[2], node[1], node[0]});
-  return {std::move(set)};
+  // Cells ascend in z: the first of a column is its lowest.
+  std::vector<std::int32_t> lowest(static_cast<std::size_t>(lattice.cells[0]) * lattice.cells[1], -1);
+  const auto lowest_of = [&](const OccupiedCell& cell) -> std::int32_t& {
+    return lowest[static_cast<std::size_t>(cell.at[1]) * lattice.cells[0] + cell.at[0]];
+  };
+  for (const OccupiedCell& cell : cells)
+    if (lowest_of(cell) < 0) lowest_of(cell) = cell.at[2];
+  return {"base", solid.base, solid.base == Condition::roller ? 2 : -1,
+          collect_nodes(cells, [&](const OccupiedCell& cell, const std::array<std::int32_t, 3>& node) {
+            const bool bottom_of_column = cell.at[2] == lowest_of(cell) && node[2] == cell.at[2];
+            return bottom_of_column ||
+                   z.at(node[2]) <= base[static_cast<std::size_t>(node[1]) * x.count + node[0]] + tiny;
+          })};
+}
+
+}  // namespace
+
+std::vector<NodeSet> hold_nodes(const TerrainSolid& solid, const SubLattice& grid, const Columns& columns,
+                                const std::vector<OccupiedCell>& cells, int threads) {
+  std::vector<NodeSet> sets;
+  if (solid.base != Condition::free) sets.push_back(base_nodes(solid, grid, columns, cells, threads));
+  if (solid.hold_skirt)
+    sets.push_back({"skirt", Condition::fixed, -1,
+                    collect_nodes(cells, [&](const OccupiedCell&, const std::array<std::int32_t, 3>& node) {
+                      return on_skirt(grid, columns, node[0], node[1]);
+                    })});
+  return sets;
 }
 
 }  // namespace scarp

@@ -40,6 +40,7 @@ TerrainSolid close_terrain(const ScanVolume& options, const PointCloud& scan, co
   solid.depth = options.depth.value_or(0);
   solid.base_elevation = options.base_elevation.value_or(0);
   solid.base = options.base;
+  solid.hold_skirt = options.hold_skirt;
   if (!options.outline.empty()) solid.outline.emplace(options.outline, "body '" + body + "': outline");
   solid.tin = triangulate(scan.positions, options.longest_edge);
   if (solid.tin.triangles.empty())

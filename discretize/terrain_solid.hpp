@@ -24,6 +24,7 @@ struct TerrainSolid {
   double depth = 0;           ///< m, for Closing::depth
   double base_elevation = 0;  ///< m, local, for Closing::plane
   Condition base = Condition::fixed;
+  bool hold_skirt = false;
   double plan_area = 0;  ///< m2, of the part that has thickness
   double volume = 0;     ///< m3, exact
   Box3 bounds;           ///< exact

@@ -170,6 +170,25 @@ TEST(Discretize, TheBaseHoldsThePlaneBelow) {
   EXPECT_TRUE(scene.build().bodies[0].held.empty());
 }
 
+TEST(Discretize, TheSkirtIsHeldWhereAsked) {
+  Scene scene(3, 1);
+  scene.scans["scan"] = grid_scan(8, 0, 4, [](double, double) { return 2.0; });
+  ScanVolume volume;
+  volume.scan = "scan";
+  volume.base_elevation = 0;
+  volume.base = Condition::free;
+  volume.hold_skirt = true;
+  scene.body("slab", volume);
+  const Model model = scene.build();
+  ASSERT_EQ(model.bodies[0].held.size(), 1u);
+  const NodeSet& skirt = model.bodies[0].held[0];
+  EXPECT_EQ(skirt.name, "skirt");
+  EXPECT_EQ(skirt.condition, Condition::fixed);
+  // Of 5 x 5 nodes in plan the 16 on the border, in three layers.
+  ASSERT_EQ(skirt.nodes.size(), 48u);
+  for (const auto& node : skirt.nodes) EXPECT_TRUE(node[0] == 0 || node[0] == 4 || node[1] == 0 || node[1] == 4);
+}
+
 TEST(Discretize, ASunkenBaseHoldsEveryColumnAndNothingAboveIt) {
   Scene scene(3, 0.5);
   scene.scans["scan"] = random_scan(2000, 12, 22, [](double x, double y) { return 20 + 1.2 * x - 0.4 * y; });
