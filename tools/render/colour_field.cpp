@@ -49,6 +49,7 @@ std::optional<int> component_index(const std::string& name, int components) {
 std::string in_words(std::string name) {
   for (char& c : name)
     if (c == '_') c = ' ';
+  if (name.rfind("von mises", 0) == 0) name[4] = 'M';  // a name
   if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
   return name;
 }

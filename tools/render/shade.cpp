@@ -37,8 +37,9 @@ float brightness_of(float more) {
 }
 
 /// How far the surroundings at one distance stand above the pixel: pairs of opposite neighbours, so that a slope counts
-/// nothing. Of order 1 at the foot of a wall.
-float hollow(const Layer& layer, int x, int y, int distance) {
+/// nothing. Of order 1 at the foot of a wall. What stands far in front (`rise` well above `reach`) is another body and
+/// shades nothing here: its outline would stand around it as a halo.
+float hollow(const Layer& layer, int x, int y, int distance, float reach) {
   const int diagonal = static_cast<int>(std::lround(distance * 0.7071));
   const std::array<std::array<int, 2>, 4> offsets{
       {{distance, 0}, {0, distance}, {diagonal, diagonal}, {diagonal, -diagonal}}};
@@ -48,7 +49,7 @@ float hollow(const Layer& layer, int x, int y, int distance) {
     if (!layer.seen(x + i, y + j) || !layer.seen(x - i, y - j)) continue;
     const float rise =
         (0.5f * (depth_at(layer, x + i, y + j) + depth_at(layer, x - i, y - j)) - own) / static_cast<float>(distance);
-    if (rise > 0) sum += rise / (rise + 0.6f);
+    if (rise > 0) sum += rise / (rise + 0.6f) / (1 + (rise / reach) * (rise / reach));
   }
   return sum / 4;
 }
@@ -67,11 +68,14 @@ std::vector<float> shade(const Layer& layer, const ViewAxes& axes, double stroke
   };
   const std::array<int, 4> distances{pixels(1.5, 1), pixels(4, 2), pixels(12, 3), pixels(36, 4)};
   constexpr std::array<float, 4> strengths{0.5f, 0.4f, 0.4f, 0.4f};
+  // The nearest distance draws the edge of whatever is in front.
+  constexpr std::array<float, 4> reaches{1e3f, 3.0f, 1.5f, 1.0f};
   const float level = static_cast<float>(axes.up[2] * kLight[1] + axes.towards[2] * kLight[2]);
   for_each_seen(layer, threads, [&](int x, int y) {
     const std::size_t i = layer.index(x, y);
     float dark = 0;
-    for (std::size_t k = 0; k < distances.size(); ++k) dark += strengths[k] * hollow(layer, x, y, distances[k]);
+    for (std::size_t k = 0; k < distances.size(); ++k)
+      dark += strengths[k] * hollow(layer, x, y, distances[k], reaches[k]);
     const float light = brightness_of(facing(layer.slope_x[i], layer.slope_y[i]) - level) * std::exp(-dark);
     brightness[i] = on_silhouette(layer, x, y) ? 0.7f * light : light;
   });
