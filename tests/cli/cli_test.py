@@ -4,13 +4,15 @@
 import csv
 import filecmp
 import json
+import os
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from support import BLOCK, HILL, Run
+from support import BLOCK, HILL, SCARP, Run
 
 
 class Pipeline(unittest.TestCase):
@@ -72,13 +74,103 @@ class Pipeline(unittest.TestCase):
             self.assertEqual(done.code, 2, str(done))
             self.assertIn(f"scarp {needed}", done.err)
 
+    def test_a_stage_refuses_artefacts_of_another_scenario(self):
+        out = self.folder / "out"
+        self.run_well("run", self.folder / "block.toml", "-o", out, "--set", "render=[]")
+        kept = (out / "history.csv").read_bytes()
+        for change in ("materials.soil.youngs_modulus=5e6", "domain.boundary.z_min='roller'", "bodies.0.velocity=[0,0,1]"):
+            done = Run("solve", self.folder / "block.toml", "-o", out, "--set", change)
+            self.assertEqual(done.code, 2, f"{change} would be ignored: the model has the old value\n{done}")
+            self.assertIn("scarp discretize", done.err)
+            self.assertIn(change.split(".")[0], done.err)
+        self.assertEqual(kept, (out / "history.csv").read_bytes(), "a refused run clears nothing")
+        self.run_well("solve", self.folder / "block.toml", "-o", out, "--set", "solver.end_time=0.02")
+        done = self.run_well("render", self.folder / "block.toml", "-o", out)
+        self.assertIn("made with other keys in \"solver\"", done.err)
+
+    def test_no_artefact_replaces_an_input(self):
+        self.run_well("ingest", self.folder / "hill.toml", "-o", self.folder / "a")
+        here = self.folder / "here"
+        (here / "clouds").mkdir(parents=True)
+        (here / "clouds/before.las").write_bytes((self.folder / "a/clouds/before.las").read_bytes())
+        scenario = re.sub("synthetic = .*", 'file = "clouds/before.las"', HILL)
+        for name in ("scenario.toml", "hill.toml"):
+            (here / name).write_text(scenario)
+            before = {path: path.read_bytes() for path in here.rglob("*") if path.is_file()}
+            for verb in ("run", "ingest"):
+                done = Run(verb, here / name, "-o", here)
+                self.assertEqual(done.code, 2, str(done))
+                self.assertIn("overwrite", done.err)
+            self.assertEqual(before, {path: path.read_bytes() for path in here.rglob("*") if path.is_file()})
+            (here / name).unlink()
+        cloud = here / "clouds/before.las"
+        done = Run("compare", cloud, cloud, "--max-distance", "1", "-o", here / "clouds", "--name", "before")
+        self.assertEqual(done.code, 2, str(done))
+        done = Run("compare", cloud, cloud, "--max-distance", "1", "-o", here / "clouds", "--name", "../../x")
+        self.assertEqual(done.code, 2, str(done))
+        # Going on in the folder of an earlier run, from its resolved scenario, is what that file is for.
+        self.run_well("ingest", self.folder / "a/scenario.toml", "-o", self.folder / "a")
+
+    def test_a_run_that_is_cut_off_leaves_nothing_of_an_earlier_one(self):
+        out = self.folder / "out"
+        self.run_well("run", self.folder / "block.toml", "-o", out, "--set", "render=[]")
+        done = Run("run", self.folder / "block.toml", "-o", out, "--set", "domain.cell=1e-5")
+        self.assertEqual(done.code, 2, str(done))
+        for name in ("model.hdf", "frames.hdf.series", "history.csv", "frames/frame_000000.hdf"):
+            self.assertFalse((out / name).exists(), name)
+
+    def test_damaged_summary_and_folders_in_the_way(self):
+        out = self.folder / "out"
+        self.run_well("run", self.folder / "block.toml", "-o", out, "--set", "render=[]")
+        series = (out / "frames.hdf.series").stat().st_mtime_ns
+        for damage in ("[]", '"x"', "{"):
+            (out / "summary.json").write_text(damage)
+            done = Run("solve", self.folder / "block.toml", "-o", out)
+            self.assertEqual(done.code, 2, str(done))
+            self.assertIn("summary.json", done.err)
+            self.assertNotIn("exception", done.err)
+            self.assertEqual(series, (out / "frames.hdf.series").stat().st_mtime_ns, "noticed before the work, not after")
+        (self.folder / "a_file").write_text("in the way")
+        done = Run("run", self.folder / "block.toml", "-o", self.folder / "a_file")
+        self.assertEqual(done.code, 2, str(done))
+        self.assertIn("a_file", done.err)
+        self.assertNotIn("filesystem error", done.err)
+
+    def test_closed_and_full_standard_streams(self):
+        for closed in ("<&-", ">&-", "2>&-", "<&- >&- 2>&-"):
+            done = subprocess.run(f'"{SCARP}" run "{self.folder}/block.toml" -o "{self.folder}/out" {closed}', shell=True,
+                                  capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, closed + done.stderr)
+            for file in (self.folder / "out").rglob("*"):
+                self.assertTrue(file.is_dir() or b"solve ..." not in file.read_bytes(), f"{closed}: progress in {file}")
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([SCARP, "check", self.folder / "block.toml"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("standard output", done.stderr)
+
+    def test_volume_far_from_the_input_is_said(self):
+        done = self.run_well("check", self.folder / "block.toml", "--set", "bodies.0.volume={sphere={centre=[1,1,1],radius=0.4}}")
+        self.assertIn("use smaller cells", done.out)
+
+    def test_particles_that_leave_the_domain_are_said(self):
+        done = self.run_well("run", self.folder / "block.toml", "-o", self.folder / "out", "--set", "render=[]", "--set",
+                             "domain.boundary.z_min='free'", "--set", "bodies.0.velocity=[100,0,0]")
+        self.assertIn("outside the domain", done.err)
+
+    def test_scenario_in_the_current_folder(self):
+        self.run_well("synth", self.folder / "hill.toml", "-o", self.folder)
+        (self.folder / "mine.toml").write_text(re.sub("synthetic = .*", 'file = "before.las"', HILL))
+        done = Run("check", "mine.toml", cwd=self.folder)
+        self.assertEqual(done.code, 0, str(done))
+
     def test_overrides_quiet_and_json_progress(self):
         done = self.run_well("run", self.folder / "block.toml", "-o", self.folder / "a", "--set", "solver.end_time=0.02",
                              "--set", "bodies.block.cell=1.0", "--quiet")
         self.assertEqual(done.err, "")
         self.assertIn("end_time = 0.02", (self.folder / "a/scenario.toml").read_text())
         self.assertEqual(json.loads((self.folder / "a/summary.json").read_text())["discretize"]["particles"], 4 * 8)
-        done = self.run_well("solve", self.folder / "block.toml", "-o", self.folder / "a", "--progress", "json")
+        done = self.run_well("solve", self.folder / "block.toml", "-o", self.folder / "a", "--progress", "json",
+                             "--set", "bodies.block.cell=1.0")
         for line in done.err.splitlines():
             self.assertIn("stage", json.loads(line))
         wrong = Run("check", self.folder / "block.toml", "--set", "solver.end_tim=1")
@@ -109,6 +201,12 @@ class Pipeline(unittest.TestCase):
         done = Run("run", self.folder / "hill.toml", "-o", self.folder / "t", "--set", "compare.0.tolerance.mean=1e-6", "--set", "render=[]")
         self.assertEqual(done.code, 4, str(done))
         self.assertIn("outside tolerance", done.err)
+
+    def test_info_does_not_wait_for_a_pipe(self):
+        os.mkfifo(self.folder / "pipe.las")
+        done = subprocess.run([SCARP, "info", self.folder / "pipe.las"], capture_output=True, text=True, timeout=20)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("ordinary file", done.stderr)
 
     def test_synth_and_describe(self):
         done = self.run_well("synth", self.folder / "hill.toml", "-o", self.folder / "s")

@@ -5,7 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "solver/model/error.hpp"
 #include "tools/cli/terminal.hpp"
@@ -24,7 +26,13 @@ struct CommonOptions {
   std::vector<std::string> overrides;
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   bool quiet = false;
-  ProgressStyle progress = ProgressStyle::automatic;
+  std::string progress = "auto";
+
+  ProgressStyle style() const {
+    return progress == "json"   ? ProgressStyle::json
+           : progress == "none" ? ProgressStyle::none
+                                : ProgressStyle::automatic;
+  }
 };
 
 void add_common(CLI::App& verb, CommonOptions& options, bool writes) {
@@ -37,10 +45,8 @@ void add_common(CLI::App& verb, CommonOptions& options, bool writes) {
   verb.add_option("--threads", options.threads, "number of threads; results do not depend on it")
       ->check(CLI::Range(1, 1024));
   verb.add_flag("--quiet", options.quiet, "print nothing but errors");
-  static const std::map<std::string, ProgressStyle> styles{
-      {"auto", ProgressStyle::automatic}, {"json", ProgressStyle::json}, {"none", ProgressStyle::none}};
-  verb.add_option("--progress", options.progress, "auto, json or none")
-      ->transform(CLI::CheckedTransformer(styles, CLI::ignore_case));
+  verb.add_option("--progress", options.progress, "a bar or lines, JSON lines, or nothing")
+      ->check(CLI::IsMember({"auto", "json", "none"}));
 }
 
 /// out/hillside for datasets/hillside/scenario.toml, out/slope for slope.toml.
@@ -80,7 +86,7 @@ void add_stage(CLI::App& app, const char* name, const char* what, CommonOptions&
   verb->add_option("SCENARIO", options.scenario, "scenario file (TOML)")->required();
   add_common(*verb, options, true);
   verb->callback([&options, &result, stage = std::move(stage)] {
-    Terminal terminal(options.progress, options.quiet);
+    Terminal terminal(options.style(), options.quiet);
     Project project = open(options, terminal);
     Outcome outcome;
     stage(project, outcome);
@@ -126,6 +132,8 @@ DistanceReport compare_two(const CompareArguments& arguments, const CommonOption
                            options.output.empty() ? fs::path("compare") : fs::path(options.output), arguments.name,
                            arguments.max_distance};
   if (request.name.empty()) request.name = request.simulated.stem().string() + "_" + request.observed.stem().string();
+  if (request.name.empty() || request.name[0] == '.' || request.name.find('/') != std::string::npos)
+    throw Error("compare", "--name cannot name a file", request.name, "no slashes, not starting with a dot");
   if (!(request.max_distance > 0))
     throw Error("compare", "--max-distance is needed to compare two files", shortest(request.max_distance),
                 "above 0 m");
@@ -145,13 +153,15 @@ void add_compare(CLI::App& app, CommonOptions& options, CompareArguments& argume
   verb->callback([&] {
     if (arguments.files.size() == 2) {
       const DistanceReport report = compare_two(arguments, options);
-      if (!options.quiet)
+      if (!options.quiet && report.matched == 0)
+        std::printf("none of %zu points has a counterpart within %.6g m\n", report.points, report.max_distance);
+      else if (!options.quiet)
         std::printf("%zu of %zu points matched; mean %.6g m, median %.6g m, 95 %% below %.6g m, largest %.6g m\n",
                     report.matched, report.points, report.mean, report.median, report.percentile_95, report.largest);
       return;
     }
     options.scenario = arguments.files[0];
-    Terminal terminal(options.progress, options.quiet);
+    Terminal terminal(options.style(), options.quiet);
     Project project = open(options, terminal);
     Outcome outcome;
     record_scenario(project);
@@ -165,7 +175,7 @@ void add_synth(CLI::App& app, CommonOptions& options) {
   verb->add_option("SCENARIO", options.scenario, "scenario file with [scans.synthetic] tables")->required();
   add_common(*verb, options, true);
   verb->callback([&options] {
-    Terminal terminal(options.progress, options.quiet);
+    Terminal terminal(options.style(), options.quiet);
     Project project = open(options, terminal);
     for (const fs::path& file : synth_scans(project)) std::printf("%s\n", file.string().c_str());
   });

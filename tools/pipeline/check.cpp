@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "solver/core/estimate.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_inputs.hpp"
+#include "tools/pipeline/summary.hpp"
 
 namespace scarp {
 namespace {
@@ -21,6 +23,7 @@ void describe_body(const VolumeReport& report, std::vector<std::string>& facts) 
   facts.push_back(format("body %s: %zu particles in %zu cells, %.6g m3 of %.6g m3 (%+.3f %%)", report.body.c_str(),
                          report.particles, report.cells, report.particle_volume, report.input_volume,
                          100 * report.relative_difference()));
+  for (const std::string& warning : warnings(report)) facts.push_back("  " + warning);
 }
 
 }  // namespace
@@ -43,7 +46,7 @@ std::vector<std::string> check_project(Project& project) {
   facts.push_back(format("domain: %.6g x %.6g x %.6g m, cell %.6g m", model.domain.max[0] - model.domain.min[0],
                          model.domain.max[1] - model.domain.min[1], model.domain.max[2] - model.domain.min[2],
                          model.domain.cell));
-  facts.push_back(format("time step: about %.4g s, %.0f steps to %.6g s, %.3g particle-steps", estimated.time_step,
+  facts.push_back(format("time step: about %.4g s, %.12g steps to %.6g s, %.3g particle-steps", estimated.time_step,
                          estimated.steps, project.scenario.solver.end_time, estimated.particle_steps));
   facts.push_back(format("memory: about %.0f MiB while solving", estimated.memory_bytes / (1024.0 * 1024.0)));
   project.reporter->end();

@@ -23,6 +23,13 @@ std::string box_line(const Box3& box) {
   return text;
 }
 
+/// Whole metres, never as 5e+05.
+std::string origin_line(const Vec3& origin) {
+  char text[128];
+  std::snprintf(text, sizeof text, "  origin: %.0f %.0f %.0f\n", origin[0], origin[1], origin[2]);
+  return text;
+}
+
 std::string crs_line(const std::string& crs) { return "  CRS: " + (crs.empty() ? "not stated" : crs) + "\n"; }
 
 std::string las_info(const LasHeader& header) {
@@ -63,8 +70,7 @@ std::string frame_info(const Frame& frame) {
   std::string text = "frame\n  time: " + shortest(frame.time) + " s, step " + std::to_string(frame.step) +
                      "\n  particles: " + std::to_string(frame.positions.size()) + "\n" +
                      box_line(bounds(frame.positions));
-  text += "  origin: " + shortest(frame.site.origin[0]) + " " + shortest(frame.site.origin[1]) + " " +
-          shortest(frame.site.origin[2]) + "\n  fields:";
+  text += origin_line(frame.site.origin) + "  fields:";
   for (const FrameField& field : frame.fields)
     text += " " + field.name + "[" + std::to_string(field.components) + "]" +
             (field.unit == "1" ? "" : " (" + field.unit + ")");
@@ -80,7 +86,7 @@ std::string model_info(const Model& model) {
   for (const NamedMaterial& material : model.materials)
     text += "  material " + material.name + ": " +
             std::string(std::visit([](const auto& law) { return law.name; }, material.law)) + "\n";
-  return text + crs_line(model.site.crs);
+  return text + origin_line(model.site.origin) + crs_line(model.site.crs);
 }
 
 std::string mesh_info(const TriangleMesh& mesh) {
@@ -106,6 +112,9 @@ bool has_faces(const std::filesystem::path& file) {
 
 std::string file_info(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file)) throw Error("info", file.string() + " is a folder", "", "a file");
+  // A pipe would keep the program waiting for ever.
+  if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
+    throw Error("info", file.string() + " is not an ordinary file");
   if (!std::ifstream(file)) throw Error("info", "cannot read " + file.string(), "no such file or no permission");
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

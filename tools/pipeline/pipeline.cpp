@@ -5,6 +5,8 @@
 #include "solver/model/write_whole.hpp"
 #include "tools/pipeline/provenance.hpp"
 #include "tools/pipeline/read_inputs.hpp"
+#include "tools/pipeline/refuse_to_overwrite.hpp"
+#include "tools/pipeline/write_run.hpp"
 #include "tools/scenario/read_scenario.hpp"
 #include "tools/scenario/resolve.hpp"
 #include "tools/scenario/write_scenario.hpp"
@@ -18,7 +20,19 @@ Project open_project(const std::filesystem::path& scenario_file, const std::vect
   return project;
 }
 
+namespace {
+
+/// A run that is cut off must not leave an earlier one's model or frames to be taken for its own.
+void clear_earlier_results(const Artefacts& artefacts) {
+  for (const std::filesystem::path& file : {artefacts.summary(), artefacts.ingest_report(), artefacts.model()})
+    std::filesystem::remove(file);
+  clear_earlier_run(artefacts);
+}
+
+}  // namespace
+
 void record_scenario(const Project& project) {
+  refuse_to_overwrite_inputs(project);
   std::string text = "# Resolved scenario: every default is written out.\n# scarp " SCARP_VERSION " (" SCARP_REVISION
                      ") on " +
                      machine() + "\n";
@@ -29,8 +43,8 @@ void record_scenario(const Project& project) {
 
 Outcome run_project(Project& project) {
   Outcome outcome;
-  std::filesystem::remove(project.artefacts.summary());
   record_scenario(project);
+  clear_earlier_results(project.artefacts);
   ingest_stage(project);
   discretize_stage(project);
   solve_stage(project, outcome);

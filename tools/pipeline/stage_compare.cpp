@@ -11,8 +11,10 @@
 #include "solver/store/frame_store.hpp"
 #include "tools/compare/compare_nearest.hpp"
 #include "tools/compare/free_surface.hpp"
+#include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_artefacts.hpp"
+#include "tools/pipeline/refuse_to_overwrite.hpp"
 #include "tools/pipeline/stopwatch.hpp"
 #include "tools/pipeline/summary.hpp"
 
@@ -49,6 +51,8 @@ void compare_stage(Project& project, Outcome& outcome) {
   if (project.scenario.compare.empty()) return;
   const Stopwatch watch;
   project.reporter->begin("compare");
+  require_made_from(project, Maker::ingest);
+  warn_unless_made_from(project, Maker::solver);
   const SiteFrame site = read_site(project);
   const auto frames = read_frame_list(project);
   Json reports = Json::array();
@@ -69,6 +73,9 @@ void compare_stage(Project& project, Outcome& outcome) {
 }
 
 DistanceReport compare_files(const DirectComparison& request, int threads) {
+  for (const char* extension : {".csv", ".json", ".las"})
+    for (const std::filesystem::path& input : {request.simulated, request.observed})
+      refuse_to_overwrite(input, (request.output / request.name).string() + extension);
   PointCloud simulated = read_either(request.simulated);
   PointCloud observed = read_either(request.observed);
   require_same_crs({request.simulated.string(), request.observed.string()}, {simulated.site.crs, observed.site.crs});

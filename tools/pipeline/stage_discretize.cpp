@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "solver/model/error.hpp"
 #include "solver/store/model_store.hpp"
+#include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_artefacts.hpp"
 #include "tools/pipeline/read_inputs.hpp"
@@ -29,6 +29,7 @@ std::string volume_sentence(const VolumeReport& report) {
 void discretize_stage(Project& project) {
   const Stopwatch watch;
   project.reporter->begin("discretize");
+  require_made_from(project, Maker::ingest);
   const SiteFrame site = read_site(project);
   std::map<std::string, PointCloud> scans;
   for (const std::string& name : scans_of_bodies(project.scenario))
@@ -40,14 +41,11 @@ void discretize_stage(Project& project) {
   for (const VolumeReport& report : model.volumes) {
     volumes.push_back(to_json(report));
     project.reporter->note(volume_sentence(report));
-    if (report.mean_thickness_in_cells > 0 && report.mean_thickness_in_cells < 3)
-      project.reporter->note(report.body + " is on average only " + shortest(report.mean_thickness_in_cells) +
-                             " cells thick; bending and failure need at least 3");
-    if (report.self_intersecting)
-      project.reporter->note("the mesh of " + report.body + " intersects itself; its volume is not to be trusted");
+    for (const std::string& warning : warnings(report)) project.reporter->note(warning);
   }
   record_summary(project, "discretize",
                  {{"particles", model.particles.size()}, {"volumes", volumes}, {"wall_s", watch.wall()}});
+  record_made_from(project, Maker::discretize);
   project.reporter->end();
 }
 

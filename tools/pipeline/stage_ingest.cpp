@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ingest/write_las.hpp"
+#include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_inputs.hpp"
 #include "tools/pipeline/stopwatch.hpp"
@@ -26,6 +27,7 @@ void ingest_stage(Project& project) {
   write_json(project.artefacts.ingest_report(), report);
   report["wall_s"] = watch.wall();
   record_summary(project, "ingest", report);
+  record_made_from(project, Maker::ingest);
   project.reporter->end();
 }
 

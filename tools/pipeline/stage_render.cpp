@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/store/frame_store.hpp"
+#include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_artefacts.hpp"
 #include "tools/pipeline/stopwatch.hpp"
@@ -72,6 +73,7 @@ void render_stage(Project& project) {
   if (project.scenario.render.empty()) return;
   const Stopwatch watch;
   project.reporter->begin("render");
+  warn_unless_made_from(project, Maker::solver);
   const RenderContext context = context_of(project, read_discretized(project));
   const auto frames = read_frame_list(project);
   Json reports = Json::array();

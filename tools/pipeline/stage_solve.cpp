@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: The scarp developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "solver/core/run.hpp"
+#include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_artefacts.hpp"
 #include "tools/pipeline/summary.hpp"
 #include "tools/pipeline/write_run.hpp"
+#include "tools/scenario/resolve.hpp"
 
 namespace scarp {
 namespace {
@@ -21,6 +24,18 @@ Json failure_json(const RunReport& report, const Vec3& site_position) {
           {"time_s", report.failure.time},
           {"particle", report.failure.particle},
           {"position_m", to_json(site_position)}};
+}
+
+std::size_t outside_domain(const Model& model) {
+  const Domain& domain = model.domain;
+  const auto outside = [&](const Vec3& position) {
+    for (int a = 0; a < domain.dimension; ++a)
+      if (position[a] < domain.min[a] - 0.5 * domain.cell || position[a] > domain.max[a] + 0.5 * domain.cell)
+        return true;
+    return false;
+  };
+  return static_cast<std::size_t>(
+      std::count_if(model.particles.position.begin(), model.particles.position.end(), outside));
 }
 
 Json solver_json(const RunReport& report, const Stopwatch& watch, const RunWriter& writer, const Vec3& failed_at) {
@@ -50,10 +65,19 @@ Json solver_json(const RunReport& report, const Stopwatch& watch, const RunWrite
 
 void solve_stage(Project& project, Outcome& outcome) {
   project.reporter->begin("solve");
+  require_made_from(project, Maker::discretize);
   Model model = read_discretized(project);
+  Scenario local = project.scenario;
+  localize_scenario(local, model.site.origin);
+  model.loads = local.loads;
+  // Before the first frame, so that frames of a run that was cut off are known for what they are.
+  record_summary(project, "solver", {{"status", "running"}});
+  record_made_from(project, Maker::solver);
   RunWriter writer(project);
   const Stopwatch watch;
-  const RunReport report = run(model, project.scenario.solver, project.scenario.output, writer, project.threads);
+  // Waiting for each other costs threads more than a small model's sweeps; the bits are the same.
+  const int threads = model.particles.size() < 20'000 ? 1 : project.threads;
+  const RunReport report = run(model, project.scenario.solver, project.scenario.output, writer, threads);
   writer.finish();
 
   outcome.simulation_failed = report.failed;
@@ -64,6 +88,10 @@ void solve_stage(Project& project, Outcome& outcome) {
   std::snprintf(text, sizeof text, "%lld steps of %zu particles, largest displacement %.4g m",
                 static_cast<long long>(report.steps), model.particles.size(), report.largest_displacement);
   project.reporter->note(text);
+  if (const std::size_t outside = outside_domain(model); outside > 0)
+    project.reporter->note(std::to_string(outside) +
+                           " particles ended outside the domain: its faces hold only what "
+                           "stood on them at the start");
   project.reporter->end();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/pipeline/summary.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -39,10 +40,30 @@ Json to_json(const VolumeReport& report) {
           {"cells", report.cells},
           {"full_cells", report.full_cells},
           {"isolated_particles", report.isolated_particles},
+          {"points_beside_rule_surface", report.points_beside_rule_surface},
           {"mean_thickness_in_cells", report.mean_thickness_in_cells},
           {"volume_by_material_m3", materials},
           {"closed", report.closed},
           {"self_intersecting", report.self_intersecting}};
+}
+
+std::vector<std::string> warnings(const VolumeReport& report) {
+  std::vector<std::string> sentences;
+  if (std::abs(report.relative_difference()) > 0.01)
+    sentences.push_back(report.body +
+                        ": the particles' volume differs by more than 1 % from the input's; use smaller " + "cells");
+  if (report.mean_thickness_in_cells > 0 && report.mean_thickness_in_cells < 3)
+    sentences.push_back(report.body + " is on average only " + shortest(report.mean_thickness_in_cells) +
+                        " cells thick; bending and failure need at least 3");
+  if (report.isolated_particles > 0)
+    sentences.push_back(report.body + ": " + std::to_string(report.isolated_particles) +
+                        " particles are alone in their cell, with no neighbour");
+  if (report.points_beside_rule_surface > 0)
+    sentences.push_back(report.body + ": " + std::to_string(report.points_beside_rule_surface) +
+                        " particles lie where the raster of a 'below' rule has no value, so that it left them alone");
+  if (report.self_intersecting)
+    sentences.push_back("the mesh of " + report.body + " intersects itself; its volume is not to be trusted");
+  return sentences;
 }
 
 Json to_json(const HistorySample& sample) {
@@ -52,7 +73,10 @@ Json to_json(const HistorySample& sample) {
           {"plastic_J", sample.plastic},
           {"potential_J", sample.potential},
           {"total_J", sample.total},
-          {"momentum_kg_m_s", to_json(sample.momentum)}};
+          {"momentum_kg_m_s", to_json(sample.momentum)},
+          {"friction_J", sample.friction},
+          {"damping_J", sample.damping},
+          {"external_J", sample.external}};
 }
 
 Json to_json(const DistanceReport& report) {
@@ -76,23 +100,34 @@ Json to_json(const DistanceReport& report) {
 Json read_json(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error("pipeline", "cannot read " + path.string(), "no such file or no permission");
+  if (std::filesystem::is_directory(path)) throw Error("pipeline", path.string() + " is a folder, not a file");
   Json content = Json::parse(in, nullptr, false);
   if (content.is_discarded())
     throw Error("pipeline", path.string() + " is not valid JSON; delete it and run the stage again");
   return content;
 }
 
-void write_json(const std::filesystem::path& path, const Json& content) { write_whole(path, content.dump(2) + "\n"); }
+void write_json(const std::filesystem::path& path, const Json& content) {
+  // Texts from scans (the name of a reference system) may hold bytes that are not UTF-8, which JSON cannot.
+  write_whole(path, content.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Json read_summary(const Project& project) {
+  const std::filesystem::path path = project.artefacts.summary();
+  if (!std::filesystem::exists(path)) return Json::object();
+  Json summary = read_json(path);
+  if (!summary.is_object()) throw Error("pipeline", path.string() + " is not a summary; delete it");
+  return summary;
+}
 
 void record_summary(const Project& project, const std::string& section, const Json& content) {
-  const std::filesystem::path path = project.artefacts.summary();
-  Json summary = std::filesystem::exists(path) ? read_json(path) : Json::object();
+  Json summary = read_summary(project);
   summary["title"] = project.scenario.title;
   summary["scarp_version"] = SCARP_VERSION;
   summary["scarp_revision"] = SCARP_REVISION;
   summary[section] = content;
   summary["peak_memory_bytes"] = peak_memory_bytes();
-  write_json(path, summary);
+  write_json(project.artefacts.summary(), summary);
 }
 
 }  // namespace scarp

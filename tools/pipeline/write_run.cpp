@@ -8,7 +8,6 @@
 #include "solver/store/frame_store.hpp"
 
 namespace scarp {
-namespace {
 
 namespace fs = std::filesystem;
 
@@ -22,11 +21,11 @@ void clear_earlier_run(const Artefacts& artefacts) {
   for (const fs::path& path : stale) fs::remove(path);
 }
 
-}  // namespace
-
 RunWriter::RunWriter(const Project& project) : project_(project) {
   clear_earlier_run(project.artefacts);
-  history_ = "time,step,dt,kinetic,strain,plastic,potential,total,momentum_x,momentum_y,momentum_z\n";
+  history_ =
+      "time,step,dt,kinetic,strain,plastic,potential,total,momentum_x,momentum_y,momentum_z,friction,damping,"
+      "external\n";
 }
 
 void RunWriter::frame(const Model& model, double time, std::int64_t step) {
@@ -48,9 +47,9 @@ void RunWriter::sample(const HistorySample& sample) {
   append(sample.time, ',');
   history_ += std::to_string(sample.step) + ',';
   for (double value : {sample.dt, sample.kinetic, sample.strain, sample.plastic, sample.potential, sample.total,
-                       sample.momentum[0], sample.momentum[1]})
+                       sample.momentum[0], sample.momentum[1], sample.momentum[2], sample.friction, sample.damping})
     append(value, ',');
-  append(sample.momentum[2], '\n');
+  append(sample.external, '\n');
 }
 
 void RunWriter::progress(double time, double end_time, std::int64_t, double) {

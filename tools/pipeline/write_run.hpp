@@ -12,6 +12,9 @@
 
 namespace scarp {
 
+/// Removes the frames, their list and the history that an earlier run left.
+void clear_earlier_run(const Artefacts& artefacts);
+
 /// Receives a run and keeps it: a file per frame, their list and the history up to the last frame. What has its
 /// final name is whole at any moment.
 class RunWriter : public FrameSink {

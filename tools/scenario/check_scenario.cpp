@@ -34,6 +34,8 @@ class Checker {
     if (scenario_.bodies.empty()) fail({"bodies"}, "a scenario needs at least one body", "[[bodies]]");
     for (std::size_t i = 0; i < scenario_.bodies.size(); ++i) check_body(i);
     check_unique_fields();
+    check_intervals();
+    for (std::size_t i = 0; i < scenario_.loads.size(); ++i) check_load(i);
     for (std::size_t i = 0; i < scenario_.render.size(); ++i) check_render(i);
     for (std::size_t i = 0; i < scenario_.compare.size(); ++i)
       check_reference({"compare", std::to_string(i), "observed"}, scenario_.compare[i].observed, "scan", scan_names());
@@ -221,6 +223,25 @@ class Checker {
            "a body whose volume is a scan");
   }
 
+  void check_load(std::size_t i) const {
+    const LoadOptions& load = scenario_.loads[i];
+    const Steps steps{"loads", std::to_string(i)};
+    const BoxShape& box = load.where.box;
+    for (int a = 0; a < scenario_.domain.dimension; ++a)  // a flat box names a plane of nodes
+      if (!(box.min[a] <= box.max[a]))
+        fail(steps + "where" + "box" + "max",
+             path_of(steps + "where" + "box" + "max") + " must not lie below min in " + "xyz"[a],
+             "at least " + shortest(box.min[a]));
+    if (load.velocity.has_value() + load.traction.has_value() + load.force.has_value() != 1)
+      fail(steps, path_of(steps) + " must have one of \"velocity\", \"traction\" and \"force\"");
+    if (load.axes.empty() || load.axes.find_first_not_of("xyz") != std::string::npos)
+      fail(steps + "axes", path_of(steps + "axes") + " must name axes", "letters of \"xyz\"");
+    for (std::size_t r = 1; r < load.table.size(); ++r)
+      if (!(load.table[r - 1][0] < load.table[r][0]))
+        fail(steps + "table" + std::to_string(r), path_of(steps + "table") + ": times must rise",
+             "above " + shortest(load.table[r - 1][0]) + " s");
+  }
+
   void check_unique_fields() const {
     std::set<OutputField> seen;
     for (std::size_t i = 0; i < scenario_.output.fields.size(); ++i)
@@ -251,6 +272,19 @@ class Checker {
     if (std::find(components.begin(), components.end(), component) == components.end())
       fail(at, path_of(at) + ": \"" + base + "\" has no component \"" + component + "\"",
            components.empty() ? "\"" + base + "\"" : quoted_list(components));
+  }
+
+  /// More would fill a disk, or be a slip of the unit.
+  void check_intervals() const {
+    constexpr double most_frames = 1e5, most_rows = 1e7;
+    const double end = scenario_.solver.end_time;
+    const auto refuse_below = [&](const char* key, const std::optional<double>& interval, double most) {
+      if (interval && end / *interval > most)
+        fail({"output", key}, std::string("output.") + key + " asks for more than " + shortest(most) + " outputs",
+             "at least " + shortest(end / most) + " s for this end time");
+    };
+    refuse_below("every", scenario_.output.every, most_frames);
+    refuse_below("history_every", scenario_.output.history_every, most_rows);
   }
 
   static Steps components_of(const std::string& field) {

@@ -83,7 +83,7 @@ std::string read_input_file(const Node& node, const std::filesystem::path& folde
   const std::string written = read_text(node, path);
   if (written.empty() || has_control_character(written) || written.size() > 4096)
     refuse(node, path + " is not the name of a file", "a path, relative to the scenario's folder or absolute");
-  const auto file = (std::filesystem::absolute(folder) / written).lexically_normal();
+  const auto file = std::filesystem::absolute(folder / written).lexically_normal();
   std::error_code code;
   const auto status = std::filesystem::status(file, code);
   if (!std::filesystem::exists(status)) refuse(node, path + ": there is no file " + file.string());

@@ -60,6 +60,19 @@ concept Described = requires(T t) {
   t.describe(AnyVisitor{});
 };
 
+/// A struct that may also be written as a bare name.
+template <class T>
+concept ShortNamed = Described<T> && requires {
+  short_names<T>::value;
+};
+
+template <ShortNamed T>
+std::vector<std::string> short_names_of() {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : short_names<T>::value) names.emplace_back(name);
+  return names;
+}
+
 /// Structs whose points have three entries in plane strain too: scans are spatial whatever is simulated.
 template <class T>
 inline constexpr bool always_spatial = std::is_same_v<T, ScanOptions>;

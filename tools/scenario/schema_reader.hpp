@@ -73,6 +73,8 @@ class SchemaReader {
       }
     } else if constexpr (Choice<T>) {
       read_choice(member, node, path);
+    } else if constexpr (ShortNamed<T>) {
+      read_short(member, node, path);
     } else {
       static_assert(Described<T>, "a member of a kind that the schema does not know");
       expect_table(node, path);
@@ -87,6 +89,16 @@ class SchemaReader {
     list.reserve(node.children.size());
     for (std::size_t i = 0; i < node.children.size(); ++i)
       read(list.emplace_back(), node.children[i], spec, item_path(path, node.children[i], i));
+  }
+
+  template <ShortNamed T>
+  void read_short(T& member, const Node& node, const std::string& path) {
+    if (node.is_table()) {
+      member = short_names<T>::table;
+      read_table(member, node, path);
+    } else {
+      member = short_names<T>::value[read_enumerator(node, short_names_of<T>(), path)].second;
+    }
   }
 
   template <Choice C>

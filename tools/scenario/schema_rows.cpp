@@ -30,6 +30,8 @@ std::string type_name(bool spatial) {
   if constexpr (is_map<T>) return "tables by name";
   if constexpr (Choice<T>)
     return choice_key<T>::value.empty() ? "table with one of " + quoted_list(alternative_names<T>(), 99) : "table";
+  else if constexpr (ShortNamed<T>)
+    return quoted_list(short_names_of<T>(), 99) + ", or table";
   else if constexpr (Described<T>)
     return "table";
   if constexpr (is_list<T>) {
@@ -82,7 +84,7 @@ class RowCollector {
                {},
                spec.required,
                std::string(spec.text)};
-    if constexpr (Leaf<T> || is_list<T>)
+    if constexpr (Leaf<T> || is_list<T> || ShortNamed<T>)
       if (!spec.required) row.fallback = print_inline(SchemaWriter(3).write(member));
     if (row.fallback == "\"\"") row.fallback.clear();
     row.fallback = without_point_zero(row.fallback);

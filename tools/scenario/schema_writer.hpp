@@ -46,6 +46,11 @@ class SchemaWriter {
       std::visit([&](auto& alternative) { write_alternative<T>(out, alternative); }, member);
     } else {
       static_assert(Described<T>, "a member of a kind that the schema does not know");
+      if constexpr (ShortNamed<T>) {
+        for (const auto& [name, value] : short_names<T>::value)
+          if (value == member) out.text = toml_string(std::string(name));
+        if (!out.text.empty()) return out;
+      }
       write_members(out, member);
     }
     return out;

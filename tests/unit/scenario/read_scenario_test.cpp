@@ -282,6 +282,8 @@ TEST_F(ReadScenario, ChecksTheHillsideAcrossKeys) {
         "render.overview.colour.field needs a component of the tensor"},
        {"range = [0, 10]", "range = @@[10, 0]", "render.overview.colour.range must rise: found [10, 0]"},
        {"camera =", "width = @@1281\ncamera =", "render.overview.width must be even"},
+       {"[output]\n", "[output]\nevery = @@1e-9\n", "output.every asks for more than 100000 outputs: found 1e-9"},
+       {"[output]\n", "[output]\nhistory_every = @@1e-12\n", "output.history_every asks for more than 10000000"},
        {"[[compare]]", "[[compare]]\nobserved = \"after\"\n@@[[compare]]",
         "two entries of compare are named \"last_after\""}});
 }
