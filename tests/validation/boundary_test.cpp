@@ -10,29 +10,18 @@
 #include "solver/core/run.hpp"
 #include "tests/support/lattice_seed.hpp"
 #include "tests/support/recording_sink.hpp"
+#include "tests/support/run_options.hpp"
 #include "tests/support/validation_table.hpp"
 
 namespace scarp {
 namespace {
 
 using std::numbers::pi;
+using test::output;
 using test::RecordingSink;
+using test::solver;
 using test::validate_near;
 using test::validate_within;
-
-SolverOptions solver(double end_time, Vec3 gravity) {
-  SolverOptions options;
-  options.end_time = end_time;
-  options.gravity = gravity;
-  return options;
-}
-
-OutputOptions output(double every, double history_every) {
-  OutputOptions options;
-  options.every = every;
-  options.history_every = history_every;
-  return options;
-}
 
 /// The balance of energy over all samples, as a share of `scale`.
 double drift(const RecordingSink& sink, double scale) {

@@ -11,34 +11,22 @@
 #include "solver/core/step_total.hpp"
 #include "tests/support/lattice_seed.hpp"
 #include "tests/support/recording_sink.hpp"
+#include "tests/support/run_options.hpp"
 #include "tests/support/validation_table.hpp"
 
 namespace scarp {
 namespace {
 
 using std::numbers::pi;
+using test::output;
 using test::RecordingSink;
+using test::solver;
 using test::validate_near;
 using test::validate_within;
 
 constexpr auto kFree = Condition::free;
 constexpr auto kRoller = Condition::roller;
 constexpr auto kFixed = Condition::fixed;
-
-SolverOptions solver(double end_time, Vec3 gravity, double courant = 0.4) {
-  SolverOptions options;
-  options.end_time = end_time;
-  options.gravity = gravity;
-  options.courant = courant;
-  return options;
-}
-
-OutputOptions output(double every, double history_every) {
-  OutputOptions options;
-  options.every = every;
-  options.history_every = history_every;
-  return options;
-}
 
 /// First mode of a fixed-free bar, L = 25, E = 100, rho = 1, v0 = 0.1: v_cm = (2 v0 / pi) cos(omega t), omega = pi c /
 /// (2 L) = 2 pi / 10.

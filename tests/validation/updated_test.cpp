@@ -9,33 +9,20 @@
 #include "solver/core/run.hpp"
 #include "tests/support/lattice_seed.hpp"
 #include "tests/support/recording_sink.hpp"
+#include "tests/support/run_options.hpp"
 #include "tests/support/validation_table.hpp"
 
 namespace scarp {
 namespace {
 
 using std::numbers::pi;
+using test::output;
 using test::RecordingSink;
+using test::solver;
 using test::validate_near;
 using test::validate_within;
 
 constexpr Condition kFree = Condition::free, kRoller = Condition::roller, kFixed = Condition::fixed;
-
-SolverOptions solver(ShapeFunction shape, double end_time, Vec3 gravity, double courant) {
-  SolverOptions options;
-  options.shape = shape;
-  options.end_time = end_time;
-  options.gravity = gravity;
-  options.courant = courant;
-  return options;
-}
-
-OutputOptions output(double every, double history_every) {
-  OutputOptions options;
-  options.every = every;
-  options.history_every = history_every;
-  return options;
-}
 
 void make_updated(Model& model) {
   for (Body& body : model.bodies) body.formulation = Formulation::updated_lagrangian;
@@ -63,7 +50,7 @@ Disks disks(int n, ShapeFunction shape) {
   make_updated(model);
   RecordingSink sink;
   Disks d;
-  d.report = run(model, solver(shape, 3.5, {0, 0, 0}, 0.2), output(0.5, 0.01), sink, 1);
+  d.report = run(model, solver(3.5, {0, 0, 0}, 0.2, shape), output(0.5, 0.01), sink, 1);
   d.particles = model.particles.size();
   d.least_kinetic = INFINITY;
   for (const HistorySample& s : sink.samples) {
@@ -114,7 +101,7 @@ TEST(UpdatedBar, VibratesInItsFirstMode) {
         });
     make_updated(model);
     RecordingSink sink;
-    const RunReport report = run(model, solver(shape, 20, {0, 0, 0}, 0.4), output(10, 0.1), sink, 1);
+    const RunReport report = run(model, solver(20, {0, 0, 0}, 0.4, shape), output(10, 0.1), sink, 1);
     ASSERT_FALSE(report.failed) << report.failure.what;
     double worst = 0, crossing = 0;
     for (std::size_t i = 1; i < sink.samples.size(); ++i) {
@@ -144,7 +131,7 @@ Column column(double E, double end_time) {
   Model model = test::empty_model({0, 0, 0}, {0.5, height, 0}, 0.5, {kRoller, kRoller, kFixed, kFree});
   test::seed_body(model, "column", NeoHookean{{rho, E, 0.3}}, 2, test::everywhere);
   make_updated(model);
-  SolverOptions options = solver(ShapeFunction::quadratic_bspline, end_time, {0, -g, 0}, 0.4);
+  SolverOptions options = solver(end_time, {0, -g, 0}, 0.4, ShapeFunction::quadratic_bspline);
   options.damping = 0.3;
   options.flip = 0.9;
   RecordingSink sink;
@@ -187,7 +174,7 @@ TEST(UpdatedIncline, SlidesAndSticksAfterCoulomb) {
       make_updated(model);
       RecordingSink sink;
       const Vec3 gravity{g * std::sin(angle), -g * std::cos(angle), 0};
-      const RunReport report = run(model, solver(shape, end, gravity, 0.4), output(end, end), sink, 1);
+      const RunReport report = run(model, solver(end, gravity, 0.4, shape), output(end, end), sink, 1);
       ASSERT_FALSE(report.failed) << report.failure.what;
       const double exact = std::max(0.0, free - mu * g * std::cos(angle) * end), v = report.last.momentum[0] / 500;
       const std::string name =
@@ -207,7 +194,7 @@ TEST(UpdatedSlump, RunsOutWithinThePublishedBands) {
                   [](const Vec3& X) { return X[1] < 15 || (X[1] < 35 && X[0] + X[1] < 63.75); });
   make_updated(model);
   RecordingSink sink;
-  const RunReport report = run(model, solver(ShapeFunction::gimp, 7.2, {0, -9.81, 0}, 0.8), output(7.2, 0.05), sink, 1);
+  const RunReport report = run(model, solver(7.2, {0, -9.81, 0}, 0.8, ShapeFunction::gimp), output(7.2, 0.05), sink, 1);
   ASSERT_FALSE(report.failed) << report.failure.what << " at " << report.failure.time;
   const Particles& p = model.particles;
   double run_out = 0, time_of_peak = 0;

@@ -6,18 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "solver/model/parallel.hpp"
-
 namespace scarp {
 namespace {
-
-template <class F>
-void for_each_seen(const Layer& layer, int threads, F&& f) {
-  parallel_for(static_cast<std::size_t>(layer.height), threads, [&](std::size_t row) {
-    for (int x = 0; x < layer.width; ++x)
-      if (layer.seen(x, static_cast<int>(row))) f(x, static_cast<int>(row));
-  });
-}
 
 float depth_at(const Layer& layer, int x, int y) { return layer.depth[layer.index(x, y)]; }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/model/parallel.hpp"
 #include "tools/render/colour_field.hpp"
 #include "tools/render/colour_map.hpp"
 
@@ -31,6 +32,15 @@ struct Layer {
     return x >= 0 && y >= 0 && x < width && y < height && depth[index(x, y)] > -INFINITY;
   }
 };
+
+/// f(x, y) for every pixel that shows something, rows in parallel.
+template <class F>
+void for_each_seen(const Layer& layer, int threads, F&& f) {
+  parallel_for(static_cast<std::size_t>(layer.height), threads, [&](std::size_t row) {
+    for (int x = 0; x < layer.width; ++x)
+      if (layer.seen(x, static_cast<int>(row))) f(x, static_cast<int>(row));
+  });
+}
 
 /// Draws paraboloids of the given radius (pixels) into a z-buffer of four samples per pixel. The nearest wins; of
 /// equally near ones the first. With `blend`, depth and value (or scan colour) are then averaged over the splats that

@@ -4,19 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "solver/model/parallel.hpp"
 #include "tools/render/splat.hpp"
 
 namespace scarp {
 namespace {
-
-template <class F>
-void for_each_seen(const Layer& layer, int threads, F&& f) {
-  parallel_for(static_cast<std::size_t>(layer.height), threads, [&](std::size_t row) {
-    for (int x = 0; x < layer.width; ++x)
-      if (layer.seen(x, static_cast<int>(row))) f(x, static_cast<int>(row));
-  });
-}
 
 /// Where the planes are fitted to: points of a disc, with weights that fall towards its rim, so that none enters or
 /// leaves the fit with a jerk.
