@@ -39,6 +39,8 @@ def found(check, summary, rows, points):
     if "surface_at" in check:
         volume = summary["discretize"]["volumes"][0]
         return surface_at(points, (volume["particle_volume_m3"] / volume["particles"]) ** 0.5, check["surface_at"])
+    if "lowest" in check:
+        return float(points[:, 1].min())
     if "front_of" in check:
         return float(numpy.quantile(points[:, 0], check["front_of"]))
     values = [row[check["column"]] for row in rows]
