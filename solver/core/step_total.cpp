@@ -30,6 +30,12 @@ Vec3 gravity_of(const SolverOptions& options, int dimension) {
   return dimension == 2 ? Vec3{0, -9.81, 0} : Vec3{0, 0, -9.81};
 }
 
+Vec3 ramped_gravity(const Vec3& gravity, double ramp, double time) {
+  if (!(time < ramp)) return gravity;
+  const double s = time / ramp;
+  return (s * s * (3 - 2 * s)) * gravity;
+}
+
 TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int threads)
     : model_(model),
       gravity_(gravity_of(options, model.domain.dimension)),
@@ -66,7 +72,7 @@ double TotalLagrangian::stable_time_step() const {
 
 std::int64_t TotalLagrangian::step(double dt) {
   Particles& particles = model_.particles;
-  const Vec3 gravity = gravity_at(time_ + 0.5 * dt);
+  const Vec3 gravity = ramped_gravity(gravity_, gravity_ramp_, time_ + 0.5 * dt);
   fastest_ = 0;
   bad_particle_ = -1;
   for (TotalBody& body : bodies_) {
@@ -82,13 +88,6 @@ std::int64_t TotalLagrangian::step(double dt) {
   }
   time_ += dt;
   return bad_particle_;
-}
-
-/// Smoothly from 0 to all of it: no kink at either end.
-Vec3 TotalLagrangian::gravity_at(double time) const {
-  if (!(time < gravity_ramp_)) return gravity_;
-  const double s = time / gravity_ramp_;
-  return (s * s * (3 - 2 * s)) * gravity_;
 }
 
 void TotalLagrangian::begin_relaxing(double damping) {

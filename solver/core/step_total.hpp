@@ -14,6 +14,9 @@ namespace scarp {
 /// The gravity that holds: as stated, or 9.81 m/s2 along -z (2D: -y).
 Vec3 gravity_of(const SolverOptions& options, int dimension);
 
+/// Gravity while it grows over `ramp` seconds, smoothly from 0 to all of it: no kink at either end.
+Vec3 ramped_gravity(const Vec3& gravity, double ramp, double time);
+
 /// Explicit total-Lagrangian MPM in the MUSL order (method.md 1.1; de Vaucorbeil, Nguyen, Hutchinson 2020; Sulsky,
 /// Zhou, Schreyer 1995), linear shape functions, particle-state form. 3D and plane strain.
 class TotalLagrangian {
@@ -55,7 +58,6 @@ class TotalLagrangian {
   std::vector<TotalBody> bodies_;
   std::vector<PreparedLaw> laws_;
   Vec3 gravity_;
-  Vec3 gravity_at(double time) const;
   void map_state();
 
   double flip_, pic_rate_, courant_, gravity_ramp_, damping_;

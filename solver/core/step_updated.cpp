@@ -58,7 +58,7 @@ void UpdatedLagrangian::let_conditions_act(double dt, const Vec3& gravity) {
 
 void UpdatedLagrangian::step(double dt) {
   Particles& particles = model_.particles;
-  const Vec3 gravity = gravity_at(time_ + 0.5 * dt);
+  const Vec3 gravity = ramped_gravity(gravity_, gravity_ramp_, time_ + 0.5 * dt);
   map_to_nodes(particles, grid_, threads_);  // (1)
   find_node_velocities(grid_, threads_);     // (2)
   if (order_ == UpdateOrder::usf) {
@@ -77,13 +77,6 @@ void UpdatedLagrangian::step(double dt) {
   }
   lost_particle_ = place_particles(grid_, particles, threads_);
   time_ += dt;
-}
-
-/// Smoothly from 0 to all of it: no kink at either end.
-Vec3 UpdatedLagrangian::gravity_at(double time) const {
-  if (!(time < gravity_ramp_)) return gravity_;
-  const double s = time / gravity_ramp_;
-  return (s * s * (3 - 2 * s)) * gravity_;
 }
 
 void UpdatedLagrangian::begin_relaxing(double damping) {

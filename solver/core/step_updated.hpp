@@ -45,7 +45,6 @@ class UpdatedLagrangian {
   const std::vector<PreparedLaw>& laws() const { return laws_; }
 
  private:
-  Vec3 gravity_at(double time) const;
   void find_speeds();
   void let_conditions_act(double dt, const Vec3& gravity);
   void take(const UpdatedOutcome& outcome);
