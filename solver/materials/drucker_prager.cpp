@@ -45,11 +45,7 @@ DruckerPrager::Law::Law(const DruckerPrager& m)
 
 Sym6 DruckerPrager::Law::stress(const Motion& motion, PointHistory& history) const {
   Sym6& b_e = history.elastic_left_cauchy_green;
-  b_e = elastic_trial(motion, b_e);
-  const LogStrain strain = log_strain(b_e);
-  const Vec3& e = strain.principal;
-  const double trace = e[0] + e[1] + e[2];
-  Vec3 dev{e[0] - trace / 3, e[1] - trace / 3, e[2] - trace / 3};
+  auto [dev, trace, planes] = deviatoric_trial(motion, b_e);
   const double trial = G_ * std::sqrt(2 * dot(dev, dev));  // sqrt(J2)
   double p = K_ * trace;
   const double k = cone_.k * motion.J, cap = cap_ * motion.J;
@@ -66,16 +62,14 @@ Sym6 DruckerPrager::Law::stress(const Motion& motion, PointHistory& history) con
     }
     dev = (trial > 0 ? radius / trial : 0.0) * dev;
     const double plastic_volume = trace - p / K_, plastic_shear = (trial - radius) / G_;
-    Vec3 squares;
-    for (int i = 0; i < 3; ++i) squares[i] = std::exp(2 * (dev[i] + (trace - plastic_volume) / 3));
-    b_e = compose(squares, strain.planes);
+    b_e = left_cauchy_green(dev, trace - plastic_volume, planes);
     // |plastic strain|^2 = plastic_shear^2 / 2 + plastic_volume^2 / 3
     history.equivalent_plastic_strain +=
         std::sqrt(plastic_shear * plastic_shear / 3 + 2.0 / 9 * plastic_volume * plastic_volume);
     history.plastic_work += radius * plastic_shear + p * plastic_volume;
   }
   const double deviatoric = 2 * G_ * motion.per_J, mean = p * motion.per_J;
-  return compose({deviatoric * dev[0] + mean, deviatoric * dev[1] + mean, deviatoric * dev[2] + mean}, strain.planes);
+  return compose({deviatoric * dev[0] + mean, deviatoric * dev[1] + mean, deviatoric * dev[2] + mean}, planes);
 }
 
 double DruckerPrager::Law::stored_energy(const Motion&, const PointHistory& history) const {

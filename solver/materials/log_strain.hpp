@@ -51,6 +51,29 @@ inline Sym6 compose(const Vec3& values, const std::array<Sym6, 3>& planes) {
   return push_forward(f, b_e);
 }
 
+/// The elastic trial in logarithmic strain, split as laws of J2 and pressure want it: e = dev + trace / 3.
+struct DeviatoricTrial {
+  Vec3 dev;                    ///< principal values of the deviator
+  double trace;                ///< volumetric strain
+  std::array<Sym6, 3> planes;  ///< n_k n_k^T
+};
+
+/// Carries b_e along elastically and splits its logarithmic strain.
+[[gnu::always_inline]] inline DeviatoricTrial deviatoric_trial(const Motion& motion, Sym6& b_e) {
+  b_e = elastic_trial(motion, b_e);
+  const LogStrain strain = log_strain(b_e);
+  const Vec3& e = strain.principal;
+  const double trace = e[0] + e[1] + e[2];
+  return {{e[0] - trace / 3, e[1] - trace / 3, e[2] - trace / 3}, trace, strain.planes};
+}
+
+/// b of the logarithmic strain dev + volumetric / 3.
+inline Sym6 left_cauchy_green(const Vec3& dev, double volumetric, const std::array<Sym6, 3>& planes) {
+  Vec3 squares;
+  for (int k = 0; k < 3; ++k) squares[k] = std::exp(2 * (dev[k] + volumetric / 3));
+  return compose(squares, planes);
+}
+
 /// G |e|^2 + lambda/2 (tr e)^2 of the logarithmic strain of b, J/m3 of reference volume.
 inline double hencky_energy(double shear_modulus, double lambda, const Sym6& b) {
   const Vec3 squares = symmetric_eigen(b).values;

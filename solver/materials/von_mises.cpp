@@ -42,23 +42,17 @@ double VonMises::Law::plastic_increment(double trial, double a, double J) const 
 
 Sym6 VonMises::Law::stress(const Motion& motion, PointHistory& history) const {
   Sym6& b_e = history.elastic_left_cauchy_green;
-  b_e = elastic_trial(motion, b_e);
-  const LogStrain strain = log_strain(b_e);
-  const Vec3& e = strain.principal;
-  const double trace = e[0] + e[1] + e[2];
-  Vec3 dev{e[0] - trace / 3, e[1] - trace / 3, e[2] - trace / 3};
+  auto [dev, trace, planes] = deviatoric_trial(motion, b_e);
   const double trial = 2 * G_ * std::sqrt(1.5 * dot(dev, dev));
   if (trial > motion.J * strength(history.equivalent_plastic_strain)) {
     const double g = plastic_increment(trial, history.equivalent_plastic_strain, motion.J);
     dev = (1 - 3 * G_ * g / trial) * dev;
-    Vec3 squares;
-    for (int k = 0; k < 3; ++k) squares[k] = std::exp(2 * (dev[k] + trace / 3));
-    b_e = compose(squares, strain.planes);
+    b_e = left_cauchy_green(dev, trace, planes);
     history.equivalent_plastic_strain += g;
     history.plastic_work += (trial - 3 * G_ * g) * g;
   }
   const double deviatoric = 2 * G_ * motion.per_J, mean = K_ * trace * motion.per_J;
-  return compose({deviatoric * dev[0] + mean, deviatoric * dev[1] + mean, deviatoric * dev[2] + mean}, strain.planes);
+  return compose({deviatoric * dev[0] + mean, deviatoric * dev[1] + mean, deviatoric * dev[2] + mean}, planes);
 }
 
 double VonMises::Law::stored_energy(const Motion&, const PointHistory& history) const {
