@@ -100,9 +100,9 @@ RunReport run(Model& model, const SolverOptions& options, const OutputOptions& o
   check_options(output);
   Run run(model, options, output, sink, threads);
   Formulations& method = run.method;
+  refuse_endless(options.end_time, method.stable_time_step());
   if (auto failure = relax(method, model, options, threads)) run.fail(*failure);
   const double first_stable = method.stable_time_step();
-  refuse_endless(options.end_time, first_stable);
   if (!run.report.failed && !method.failure()) {
     run.record(0);
     sink.frame(model, 0, 0);

@@ -197,6 +197,14 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(done.code, 3, str(done))
         self.assertIn("particle", done.err)
 
+    def test_pictures_of_other_loads_are_warned_of(self):
+        self.run_well("run", self.folder / "block.toml", "-o", self.folder / "l")
+        same = self.run_well("render", self.folder / "block.toml", "-o", self.folder / "l")
+        self.assertNotIn("warning", same.err)
+        other = self.run_well("render", self.folder / "block.toml", "-o", self.folder / "l", "--set",
+                              "loads=[{ where = { box = { min = [0, 0, 0.9], max = [2, 2, 1] } }, traction = [0, 0, -1000] }]")
+        self.assertIn('other keys in "loads"', other.err)
+
     def test_tolerance(self):
         done = Run("run", self.folder / "hill.toml", "-o", self.folder / "t", "--set", "compare.0.tolerance.mean=1e-6", "--set", "render=[]")
         self.assertEqual(done.code, 4, str(done))

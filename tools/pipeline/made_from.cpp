@@ -48,6 +48,10 @@ Json sections(const Scenario& scenario, Maker maker) {
   });
   if (maker == Maker::discretize) return hashes;
   hashes["solver"] = hash_of([&](Scenario& only) { only.solver = scenario.solver; });
+  hashes["loads"] = hash_of([&](Scenario& only) {
+    only.domain.dimension = scenario.domain.dimension;
+    only.loads = scenario.loads;
+  });
   hashes["output"] = hash_of([&](Scenario& only) { only.output = scenario.output; });
   return hashes;
 }

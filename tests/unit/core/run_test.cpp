@@ -172,6 +172,22 @@ TEST(RunFailure, SomethingNotFiniteIsNamed) {
   EXPECT_EQ(report.failure.step, 1);
 }
 
+TEST(RunFailure, ARunWithoutEndIsRefusedBeforeItRelaxes) {
+  Model model = block(2);
+  std::get<NeoHookean>(model.materials[0].law).youngs_modulus = 1e300;
+  SolverOptions options;
+  options.end_time = 1;
+  options.relax = RelaxOptions{};
+  test::RecordingSink sink;
+  try {
+    run(model, options, {}, sink, 1);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("too short for the end time"), std::string::npos) << error.what();
+  }
+  EXPECT_TRUE(sink.frame_times.empty());
+}
+
 TEST(RunFailure, MaxStepsIsAFailureWithWhatWasReached) {
   Model model = block(2);
   RecordingSink sink;
