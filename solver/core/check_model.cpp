@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "solver/core/step_total.hpp"
+#include "solver/core/step_options.hpp"
 #include "solver/materials/law.hpp"
 #include "solver/model/error.hpp"
 

@@ -25,26 +25,8 @@ NodeStep nodes_of(TotalBody& body, double dt, double time) {
 
 }  // namespace
 
-Vec3 gravity_of(const SolverOptions& options, int dimension) {
-  if (options.gravity) return *options.gravity;
-  return dimension == 2 ? Vec3{0, -9.81, 0} : Vec3{0, 0, -9.81};
-}
-
-Vec3 ramped_gravity(const Vec3& gravity, double ramp, double time) {
-  if (!(time < ramp)) return gravity;
-  const double s = time / ramp;
-  return (s * s * (3 - 2 * s)) * gravity;
-}
-
 TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int threads)
-    : model_(model),
-      gravity_(gravity_of(options, model.domain.dimension)),
-      flip_(options.flip),
-      pic_rate_(options.pic_rate),
-      courant_(options.courant),
-      gravity_ramp_(options.gravity_ramp),
-      damping_(options.damping),
-      threads_(std::max(1, threads)) {
+    : model_(model), options_(options, model.domain.dimension), threads_(std::max(1, threads)) {
   check_model(model);
   check_options(options, model.domain.dimension);
   sort_by_cell(model);
@@ -52,7 +34,7 @@ TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int
   for (const Body& body : model.bodies)
     if (body.formulation == Formulation::total_lagrangian) bodies_.push_back(make_total_body(model, body));
   set_loads(bodies_, model);
-  for (TotalBody& body : bodies_) body.conditions.damping = damping_;
+  for (TotalBody& body : bodies_) body.conditions.damping = options_.damping;
   map_state();
 }
 
@@ -67,21 +49,21 @@ void TotalLagrangian::map_state() {
 }
 
 double TotalLagrangian::stable_time_step() const {
-  return bad_particle_ < 0 && fastest_ > 0 && std::isfinite(fastest_) ? courant_ / fastest_ : 0;
+  return bad_particle_ < 0 && fastest_ > 0 && std::isfinite(fastest_) ? options_.courant / fastest_ : 0;
 }
 
 std::int64_t TotalLagrangian::step(double dt) {
   Particles& particles = model_.particles;
-  const Vec3 gravity = ramped_gravity(gravity_, gravity_ramp_, time_ + 0.5 * dt);
+  const Vec3 gravity = options_.gravity_at(time_, dt);
   fastest_ = 0;
   bad_particle_ = -1;
   for (TotalBody& body : bodies_) {
     if (body_force) add_body_force(particles, body, [&](const Vec3& X) { return body_force(X, time_); });  // (1)
     advance_nodes(body, gravity, dt, threads_);                                                            // (2)
-    work_ =
-        work_ + act_on_nodes(body.conditions, nodes_of(body, dt, time_), body.held_now, gravity - gravity_, threads_);
-    advance_particles(particles, body, flip_ * std::exp(-pic_rate_ * dt), dt, threads_);  // (3), (1)
-    find_node_velocities(body, threads_);                                                 // (5), (2)
+    work_ = work_ + act_on_nodes(body.conditions, nodes_of(body, dt, time_), body.held_now, gravity - options_.gravity,
+                                 threads_);
+    advance_particles(particles, body, options_.flip_share(dt), dt, threads_);  // (3), (1)
+    find_node_velocities(body, threads_);                                       // (5), (2)
     body.conditions.loads.hold(body.velocity, time_ + dt);
     collect(update_stress(particles, body, body.laws, dt, threads_), body.grid.cell, fastest_,
             bad_particle_);  // (5), (6), (1)
@@ -105,13 +87,13 @@ void TotalLagrangian::rest() {
   model_.particles.velocity = std::move(start_velocity_);
   model_.particles.position = model_.particles.reference_position;
   for (TotalBody& body : bodies_) {
-    body.conditions.damping = damping_;
+    body.conditions.damping = options_.damping;
     body.conditions.faces.hold_still(false);
     body.conditions.loads.hold_still(false);
     body.held_now = body.held;
   }
   map_state();
-  gravity_ramp_ = 0;
+  options_.end_ramp();
   work_ = {};
   time_ = 0;
 }

@@ -5,17 +5,11 @@
 #include <functional>
 #include <vector>
 
+#include "solver/core/step_options.hpp"
 #include "solver/core/total_body.hpp"
 #include "solver/materials/law.hpp"
-#include "solver/model/solver_options.hpp"
 
 namespace scarp {
-
-/// The gravity that holds: as stated, or 9.81 m/s2 along -z (2D: -y).
-Vec3 gravity_of(const SolverOptions& options, int dimension);
-
-/// Gravity while it grows over `ramp` seconds, smoothly from 0 to all of it: no kink at either end.
-Vec3 ramped_gravity(const Vec3& gravity, double ramp, double time);
 
 /// Explicit total-Lagrangian MPM in the MUSL order (method.md 1.1; de Vaucorbeil, Nguyen, Hutchinson 2020; Sulsky,
 /// Zhou, Schreyer 1995), linear shape functions, particle-state form. 3D and plane strain.
@@ -39,7 +33,7 @@ class TotalLagrangian {
   double time() const { return time_; }
   void set_time(double time) { time_ = time; }
   const std::vector<PreparedLaw>& laws() const { return laws_; }
-  const Vec3& gravity() const { return gravity_; }  ///< the steady one
+  const Vec3& gravity() const { return options_.gravity; }  ///< the steady one
   /// Of the nodes' conditions since the start or the last rest().
   NodeWork work() const { return work_; }
 
@@ -57,10 +51,9 @@ class TotalLagrangian {
   Model& model_;
   std::vector<TotalBody> bodies_;
   std::vector<PreparedLaw> laws_;
-  Vec3 gravity_;
+  StepOptions options_;
   void map_state();
 
-  double flip_, pic_rate_, courant_, gravity_ramp_, damping_;
   NodeWork work_;
   std::vector<Vec3> start_velocity_;
   int threads_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/core/step_total.hpp"
 #include "solver/core/updated_stress.hpp"
 #include "solver/core/updated_transfer.hpp"
 
@@ -15,16 +14,11 @@ UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options,
     : model_(model),
       grid_(make_updated_grid(model, options.shape, threads)),
       order_(options.update),
-      gravity_(gravity_of(options, model.domain.dimension)),
-      flip_(options.flip),
-      pic_rate_(options.pic_rate),
-      courant_(options.courant),
-      gravity_ramp_(options.gravity_ramp),
-      damping_(options.damping),
+      options_(options, model.domain.dimension),
       rough_faces_(std::any_of(model.domain.faces.begin(), model.domain.faces.end(),
                                [](const Face& face) { return face.condition == FaceCondition::friction; })),
       threads_(threads) {
-  conditions_.damping = damping_;
+  conditions_.damping = options_.damping;
   for (const NamedMaterial& material : model.materials) laws_.push_back(prepare(material.law, grid_.cell));
   find_speeds();
 }
@@ -43,7 +37,7 @@ void UpdatedLagrangian::take(const UpdatedOutcome& outcome) {
 
 double UpdatedLagrangian::stable_time_step() const {
   const double speed = wave_speed_ + particle_speed_;
-  return bad_particle_ < 0 && speed > 0 && std::isfinite(speed) ? courant_ * grid_.cell / speed : 0;
+  return bad_particle_ < 0 && speed > 0 && std::isfinite(speed) ? options_.courant * grid_.cell / speed : 0;
 }
 
 /// Damping and the faces with friction, whose nodes change with the occupied cells.
@@ -53,12 +47,12 @@ void UpdatedLagrangian::let_conditions_act(double dt, const Vec3& gravity) {
     faces_found_at_ = grid_.placings;
   }
   const NodeStep nodes{grid_.nodes.size(), grid_.mass.data(), grid_.velocity.data(), grid_.velocity_updated.data(), dt};
-  work_ = work_ + act_on_nodes(conditions_, nodes, grid_.held_now, gravity - gravity_, threads_);
+  work_ = work_ + act_on_nodes(conditions_, nodes, grid_.held_now, gravity - options_.gravity, threads_);
 }
 
 void UpdatedLagrangian::step(double dt) {
   Particles& particles = model_.particles;
-  const Vec3 gravity = ramped_gravity(gravity_, gravity_ramp_, time_ + 0.5 * dt);
+  const Vec3 gravity = options_.gravity_at(time_, dt);
   map_to_nodes(particles, grid_, threads_);  // (1)
   find_node_velocities(grid_, threads_);     // (2)
   if (order_ == UpdateOrder::usf) {
@@ -67,7 +61,7 @@ void UpdatedLagrangian::step(double dt) {
   }
   advance_nodes(grid_, gravity, dt, threads_);  // (2)
   let_conditions_act(dt, gravity);
-  particle_speed_ = advance_particles(particles, grid_, flip_ * std::exp(-pic_rate_ * dt), dt, threads_);  // (3), (5)
+  particle_speed_ = advance_particles(particles, grid_, options_.flip_share(dt), dt, threads_);  // (3), (5)
   if (order_ != UpdateOrder::usf) {
     if (order_ == UpdateOrder::musl)
       find_node_velocities(grid_, threads_);  // (5)
@@ -88,9 +82,9 @@ void UpdatedLagrangian::begin_relaxing(double damping) {
 void UpdatedLagrangian::rest() {
   for (std::uint32_t p : grid_.particles) model_.particles.position[p] = model_.particles.reference_position[p];
   lost_particle_ = place_particles(grid_, model_.particles, threads_);
-  conditions_.damping = damping_;
+  conditions_.damping = options_.damping;
   find_speeds();
-  gravity_ramp_ = 0;
+  options_.end_ramp();
   work_ = {};
   time_ = 0;
 }

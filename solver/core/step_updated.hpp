@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "solver/core/node_conditions.hpp"
+#include "solver/core/step_options.hpp"
 #include "solver/core/updated_grid.hpp"
 #include "solver/core/updated_stress.hpp"
 #include "solver/materials/law.hpp"
-#include "solver/model/solver_options.hpp"
 
 namespace scarp {
 
@@ -53,8 +53,7 @@ class UpdatedLagrangian {
   std::vector<PreparedLaw> laws_;
   UpdatedGrid grid_;
   UpdateOrder order_;
-  Vec3 gravity_;
-  double flip_, pic_rate_, courant_, gravity_ramp_, damping_;
+  StepOptions options_;
   NodeConditions conditions_;
   bool rough_faces_;                  ///< some face has friction
   std::uint64_t faces_found_at_ = 0;  ///< UpdatedGrid::placings

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/step_options.hpp"
+
+#include <cmath>
+
+namespace scarp {
+
+Vec3 gravity_of(const SolverOptions& options, int dimension) {
+  if (options.gravity) return *options.gravity;
+  return dimension == 2 ? Vec3{0, -9.81, 0} : Vec3{0, 0, -9.81};
+}
+
+StepOptions::StepOptions(const SolverOptions& options, int dimension)
+    : gravity(gravity_of(options, dimension)),
+      courant(options.courant),
+      damping(options.damping),
+      flip_(options.flip),
+      pic_rate_(options.pic_rate),
+      gravity_ramp_(options.gravity_ramp) {}
+
+Vec3 StepOptions::gravity_at(double time, double dt) const {
+  const double middle = time + 0.5 * dt;
+  if (!(middle < gravity_ramp_)) return gravity;
+  const double s = middle / gravity_ramp_;
+  return (s * s * (3 - 2 * s)) * gravity;
+}
+
+double StepOptions::flip_share(double dt) const { return flip_ * std::exp(-pic_rate_ * dt); }
+
+}  // namespace scarp
