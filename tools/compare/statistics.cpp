@@ -44,4 +44,14 @@ DistanceReport distance_statistics(const std::vector<double>& distances) {
   return report;
 }
 
+RobustSpread robust_spread(const std::vector<double>& ascending) {
+  constexpr double kNormal = 1.482602218505602;  // 1 / quantile of |N(0, 1)| at one half
+  const double median = quantile(ascending, 0.5);
+  std::vector<double> deviations;
+  deviations.reserve(ascending.size());
+  for (double v : ascending) deviations.push_back(std::abs(v - median));
+  std::sort(deviations.begin(), deviations.end());
+  return {median, kNormal * quantile(deviations, 0.5)};
+}
+
 }  // namespace scarp

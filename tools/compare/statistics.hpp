@@ -15,4 +15,12 @@ DistanceReport distance_statistics(const std::vector<double>& distances);
 /// Quantile q in [0, 1] of ascending values, linear between ranks (Hyndman & Fan 1996, type 7); NaN of none.
 double quantile(const std::vector<double>& ascending, double q);
 
+/// Median and 1.4826 x the median absolute deviation from it, the standard deviation of normal values without their
+/// tails; NaN of none.
+struct RobustSpread {
+  double median = 0;
+  double nmad = 0;
+};
+RobustSpread robust_spread(const std::vector<double>& ascending);
+
 }  // namespace scarp
