@@ -21,17 +21,14 @@ namespace {
 enum class Format { las, laz, ply, pcd, raster, text };
 
 constexpr std::string_view kRead =
-    "LAS, LAZ, COPC, PLY, PCD, ESRI ASCII grid, XYZ/TXT/CSV/PTS text; convert others to LAS or PLY, with "
-    "CloudCompare for example (rasters: to ESRI ASCII grid, with gdal_translate -of AAIGrid)";
+    "LAS, LAZ, COPC, PLY, PCD, ESRI ASCII grid, GeoTIFF, XYZ/TXT/CSV/PTS text; convert others to LAS or PLY, with "
+    "CloudCompare for example (rasters: to GeoTIFF, with gdal_translate)";
 
 /// First bytes of formats that are not read, under whatever name they come.
 struct Foreign {
   std::string_view magic, name;
 };
 constexpr Foreign kForeign[] = {{"ASTM-E57", "E57"},
-                                {std::string_view("II*\0", 4), "TIFF"},
-                                {std::string_view("MM\0*", 4), "TIFF"},
-                                {std::string_view("II+\0", 4), "BigTIFF"},
                                 {"PK\x03\x04", "a zip archive"},
                                 {"\x1f\x8b", "a gzip archive"},
                                 {"\x89HDF", "HDF5"},

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ingest/read_buffered.hpp"
+#include "ingest/read_geotiff.hpp"
 #include "ingest/text_scanner.hpp"
 
 namespace scarp {
@@ -139,6 +140,10 @@ std::string read_prj(std::filesystem::path path) {
 }  // namespace
 
 Heightfield read_raster(const std::filesystem::path& path) {
+  return is_tiff(BufferedFile(path).peek()) ? read_geotiff(path) : read_ascii_grid(path);
+}
+
+Heightfield read_ascii_grid(const std::filesystem::path& path) {
   BufferedFile file(path);
   std::string_view line;
   const Entries entries = read_entries(file, line);
@@ -162,6 +167,7 @@ Heightfield read_raster(const std::filesystem::path& path) {
 }
 
 bool is_raster(std::string_view beginning) {
+  if (is_tiff(beginning)) return true;
   const std::size_t first = beginning.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return false;
   beginning.remove_prefix(first);

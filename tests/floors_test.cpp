@@ -35,6 +35,8 @@ const std::map<std::string, int> kFloors{
 /// Which rooms may include what starts so.
 const std::vector<std::pair<std::string, std::set<std::string>>> kOwners{
     {"pcl/", {"ingest"}},
+    {"gdal", {"ingest"}},
+    {"cpl_", {"ingest"}},
     {"CGAL/", {"discretize"}},
     {"opencv2/", {"tools/render"}},
     {"hdf5", {"solver/store"}},

@@ -163,7 +163,7 @@ struct BelowRule {
   std::string use;
   template <class V>
   void describe(V&& v) {
-    v("below", below, Spec{.text = "points below this surface (ESRI ASCII grid)", .required = true});
+    v("below", below, Spec{.text = "points below this surface (ESRI ASCII grid or GeoTIFF)", .required = true});
     v("use", use, Spec{.text = "material of the points that the rule takes", .required = true});
   }
 };

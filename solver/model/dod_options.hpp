@@ -94,8 +94,7 @@ struct DodOptions {
                    "0 leaves them empty",
            .unit = "m",
            .at_least = 0});
-    v("confidence", confidence,
-      Spec{.text = "of the level of detection, two-sided", .at_least = 0.5, .below = 1});
+    v("confidence", confidence, Spec{.text = "of the level of detection, two-sided", .at_least = 0.5, .below = 1});
     v("uncertainty_simulated", uncertainty_simulated,
       Spec{.text = "standard deviation of a simulated height; default: of a frame's free surface what its spread says, "
                    "of other data 0",

@@ -87,7 +87,7 @@ struct ScanOptions {
   template <class V>
   void describe(V&& v) {
     v("name", name, Spec{.text = "how bodies and comparisons refer to this scan", .required = true});
-    v("file", file, Spec{.text = "LAS, LAZ, COPC, PLY, PCD, XYZ/CSV/TXT or ESRI ASCII grid"});
+    v("file", file, Spec{.text = "LAS, LAZ, COPC, PLY, PCD, XYZ/CSV/TXT, ESRI ASCII grid or GeoTIFF"});
     v("synthetic", synthetic, Spec{.text = "make the scan with the virtual scanner instead of reading a file"});
     v("height_unit", height_unit, Spec{.text = "unit of the file's heights"});
     v("clean", clean, Spec{.text = "cleaning steps, in this order"});

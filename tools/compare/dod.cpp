@@ -33,9 +33,9 @@ Heightfield subtract(const DodInput& input, DodReport& report) {
 
 void find_bias(const DodInput& input, const DodOptions& options, Heightfield& difference, DodReport& report) {
   if (options.stable.ground == StableGround::none) return;
-  report.stable = find_stable(difference, slopes(input.observed), options.stable, input.stable_mask,
-                              options.correlation_range)
-                      .report;
+  report.stable =
+      find_stable(difference, slopes(input.observed), options.stable, input.stable_mask, options.correlation_range)
+          .report;
   report.bias_removed = options.stable.remove_bias;
   if (report.bias_removed)
     for (double& d : difference.z) d -= report.stable->bias;
@@ -48,15 +48,8 @@ DodStatistics statistics_of(const Heightfield& difference) {
   std::sort(values.begin(), values.end());
   const DistanceReport moments = distance_statistics(values);
   const RobustSpread spread = robust_spread(values);
-  return {moments.mean,
-          moments.median,
-          moments.standard_deviation,
-          spread.nmad,
-          moments.root_mean_square,
-          values.front(),
-          quantile(values, 0.05),
-          moments.percentile_95,
-          values.back()};
+  return {moments.mean,   moments.median,         moments.standard_deviation, spread.nmad,  moments.root_mean_square,
+          values.front(), quantile(values, 0.05), moments.percentile_95,      values.back()};
 }
 
 /// Standard deviation of the difference of each cell, 0 where nothing is compared; what it is made of goes to the

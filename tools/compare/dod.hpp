@@ -53,8 +53,8 @@ struct DodReport {
 };
 
 struct DodResult {
-  Heightfield difference;               ///< observed - simulated, m, without the bias if it was removed
-  Heightfield level_of_detection;       ///< m
+  Heightfield difference;                 ///< observed - simulated, m, without the bias if it was removed
+  Heightfield level_of_detection;         ///< m
   std::vector<std::uint8_t> significant;  ///< |difference| > level of detection
   DodReport report;
 };

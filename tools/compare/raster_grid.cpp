@@ -145,10 +145,11 @@ Heightfield resample(const Heightfield& source, const RasterGrid& grid, Resampli
         result.at(column, row) = mean ? area_mean(source, x, y, grid.cell) : bilinear(source, x, y);
       }
     }
-  if (done) *done = {exact  ? "exact"
-                     : mean ? "area mean"
-                            : "bilinear",
-                     exact ? 0 : off_whole(u) * source.cell, exact ? 0 : off_whole(v) * source.cell};
+  if (done)
+    *done = {exact  ? "exact"
+             : mean ? "area mean"
+                    : "bilinear",
+             exact ? 0 : off_whole(u) * source.cell, exact ? 0 : off_whole(v) * source.cell};
   return result;
 }
 

@@ -39,8 +39,8 @@ RasterGrid covering_grid(const std::vector<Vec3>& points, double cell);
 
 /// What was done to bring a raster onto a grid.
 struct Resampling {
-  std::string method;   ///< "exact" (the cells coincide), "bilinear" or "area mean"
-  double shift_x = 0;   ///< from the nearest cell centre of the source to that of the grid, m, at the grid's origin
+  std::string method;  ///< "exact" (the cells coincide), "bilinear" or "area mean"
+  double shift_x = 0;  ///< from the nearest cell centre of the source to that of the grid, m, at the grid's origin
   double shift_y = 0;
 };
 

@@ -9,7 +9,7 @@ cd "$(dirname "$0")/../.."
 packages=(g++ make cmake ninja-build ccache pkg-config git ca-certificates
   libeigen3-dev libhdf5-dev libgtest-dev libtoml11-dev libcli11-dev nlohmann-json3-dev libssl-dev libnanoflann-dev
   libcgal-dev libpcl-dev
-  libopencv-dev libopencv-contrib-dev
+  libopencv-dev libopencv-contrib-dev libgdal-dev
   fonts-dejavu-core python3 python3-numpy python3-h5py python3-vtk9)
 # Node.js runs the LAZ decoder; another installation of it in the PATH serves as well.
 command -v node >/dev/null || packages+=(nodejs)

@@ -7,6 +7,7 @@
 #include "ingest/read_cloud.hpp"
 #include "ingest/read_las.hpp"
 #include "ingest/read_mesh.hpp"
+#include "ingest/read_raster.hpp"
 #include "solver/model/error.hpp"
 #include "solver/store/frame_store.hpp"
 #include "solver/store/model_store.hpp"
@@ -66,6 +67,14 @@ std::string cloud_info(const PointCloud& cloud) {
          crs_line(cloud.site.crs);
 }
 
+std::string raster_info(const Heightfield& field) {
+  const std::vector<Vec3> centres = raster_to_cloud(field).positions;
+  const std::size_t cells = field.z.size();
+  return "raster\n  cells: " + std::to_string(field.columns) + " x " + std::to_string(field.rows) + " of " +
+         shortest(field.cell) + " m\n  without data: " + std::to_string(cells - centres.size()) + "\n" +
+         box_line(bounds(centres)) + crs_line(field.site.crs);
+}
+
 std::string frame_info(const Frame& frame) {
   std::string text = "frame\n  time: " + shortest(frame.time) + " s, step " + std::to_string(frame.step) +
                      "\n  particles: " + std::to_string(frame.positions.size()) + "\n" +
@@ -100,6 +109,13 @@ bool starts_with(const std::filesystem::path& file, std::string_view magic) {
   return in.read(start.data(), static_cast<std::streamsize>(start.size())) && start == magic;
 }
 
+bool holds_raster(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string start(4096, '\0');
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return is_raster(std::string_view(start).substr(0, static_cast<std::size_t>(in.gcount())));
+}
+
 bool has_faces(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::string line;
@@ -125,6 +141,8 @@ std::string file_info(const std::filesystem::path& file) {
     text = las_info(read_las_header(file));
   } else if (extension == ".obj" || extension == ".stl" || (starts_with(file, "ply") && has_faces(file))) {
     text = mesh_info(read_mesh(file));
+  } else if (holds_raster(file)) {
+    text = raster_info(read_raster(file));
   } else {
     text = cloud_info(read_cloud(file));
   }

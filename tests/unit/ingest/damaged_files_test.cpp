@@ -53,6 +53,7 @@ std::vector<test::Sample> test::format_samples() {
           {"plain.xyz", "// X Y Z R G B\n1.5 2.5 3.5 255 0 0\n-1e5 2 nan 0 0 0\n"},
           {"count.pts", "2\n1 2 3 -100 1 2 3\n4 5 6 7 8 9 10\n"},
           {"grid.asc", "ncols 2\nnrows 2\nxllcorner 5\nyllcorner 6\ncellsize 1\nnodata_value -9\n1 2\n-9 4\n"},
+          {"grid.tif", geotiff_sample()},
           {"thing.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf -1 -2 -3\n"},
           {"binary.stl", stl.string()},
           {"ascii.stl",

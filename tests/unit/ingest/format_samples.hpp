@@ -49,6 +49,45 @@ class Bytes {
   std::string bytes_;
 };
 
+/// What can be changed of the GeoTIFF sample.
+struct TiffChanges {
+  double pixel_height = 2;
+  std::uint16_t epsg = 25832;
+  std::uint16_t bands = 1;
+  float last = 4;
+  bool georeferenced = true;
+};
+
+/// A GeoTIFF of 2 x 2 floats (from the north-west: 1, 2, no data, 4) with cells of 2 m; the outer corner in the
+/// north-west is at (500000, 5400004).
+inline std::string geotiff_sample(const TiffChanges& change = {}) {
+  constexpr std::uint32_t pixels = 182, scale = 198, tie = 222, keys = 270;
+  Bytes file(std::string_view("II*\0", 4));
+  file.little(std::uint32_t{8}).little(std::uint16_t{14});
+  const auto tag = [&](std::uint16_t id, std::uint16_t type, std::uint32_t count, std::uint32_t value) {
+    file.little(id).little(type).little(count).little(value);
+  };
+  tag(256, 3, 1, 2 / change.bands), tag(257, 3, 1, 2);
+  tag(258, 3, 1, 32), tag(259, 3, 1, 1), tag(262, 3, 1, 1), tag(273, 4, 1, pixels);
+  tag(277, 3, 1, change.bands), tag(278, 3, 1, 2), tag(279, 4, 1, 16), tag(339, 3, 1, 3);
+  if (change.georeferenced)
+    tag(33550, 12, 3, scale), tag(33922, 12, 6, tie), tag(34735, 3, 16, keys);
+  else  // private tags instead
+    tag(65000, 12, 3, scale), tag(65001, 12, 6, tie), tag(65002, 3, 16, keys);
+  if (change.georeferenced)
+    tag(42113, 2, 3, 0x00392D);  // "-9"
+  else
+    tag(65003, 2, 3, 0x00392D);
+  file.little(std::uint32_t{0});
+  file.little(1.f).little(2.f).little(-9.f).little(change.last);
+  file.little(2.0).little(change.pixel_height).little(0.0);
+  for (double v : {0.0, 0.0, 0.0, 500000.0, 5400004.0, 0.0}) file.little(v);
+  const std::uint16_t model = change.epsg == 4326 ? 2 : 1, key = change.epsg == 4326 ? 2048 : 3072;
+  for (int v : {1, 1, 0, 3, 1024, 0, 1, int(model), 1025, 0, 1, 1, int(key), 0, 1, int(change.epsg)})
+    file.little(static_cast<std::uint16_t>(v));
+  return file.string();
+}
+
 /// Files of given content in a folder that goes with the object.
 class Files {
  public:

@@ -32,11 +32,11 @@ TEST(ReadCloud, SaysWhatItReadsAndWhatToDo) {
     const std::string message = message_of([&] { read_cloud(path); });
     EXPECT_NE(message.find(text), std::string::npos) << message;
   };
-  const std::string formats = "LAS, LAZ, COPC, PLY, PCD, ESRI ASCII grid, XYZ/TXT/CSV/PTS";
+  const std::string formats = "LAS, LAZ, COPC, PLY, PCD, ESRI ASCII grid, GeoTIFF, XYZ/TXT/CSV/PTS";
   says(files.put("a.e57", "ASTM-E57 and more"), "a.e57: format is not read: found E57; allowed: " + formats);
   says(files.put("b.xyz", "ASTM-E57 and more"), "found E57");
   says(files.put("a.ptx", "15\n71\n"), "found '.ptx'; allowed: " + formats);
-  says(files.put("a.tif", std::string("II*\0rest", 8)), "found TIFF");
+  says(files.put("a.tif", std::string("II*\0rest", 8)), "a.tif: cannot be read as a GeoTIFF");
   says(files.put("noextension", "1 2 3\n"), "format is not read: found ''");
   says(files.put("a.stl", "solid\n"), "is a surface mesh, not a cloud");
   says(files.put("a.las", "1 2 3\n"), "LAS");
