@@ -87,14 +87,4 @@ struct RunReport {
   double largest_kinetic = 0;
 };
 
-/// Distances from simulated free-surface points to an observed cloud, m. NaN statistics where nothing matched.
-struct DistanceReport {
-  std::string name;
-  std::string method;
-  std::size_t points = 0;
-  std::size_t matched = 0;  ///< with an observed point within max_distance; the rest are NaN
-  double max_distance = 0;
-  double mean = 0, median = 0, standard_deviation = 0, root_mean_square = 0, percentile_95 = 0, largest = 0;
-};
-
 }  // namespace scarp

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -122,22 +123,29 @@ void add_check(CLI::App& app, CommonOptions& options) {
 
 struct CompareArguments {
   std::vector<std::string> files;
-  std::string method = "c2c";
-  std::string name;
-  double max_distance = 0;
+  CompareOptions options;
 };
 
-DistanceReport compare_two(const CompareArguments& arguments, const CommonOptions& options) {
+void compare_two(const CompareArguments& arguments, const CommonOptions& options) {
   DirectComparison request{arguments.files[0], arguments.files[1],
-                           options.output.empty() ? fs::path("compare") : fs::path(options.output), arguments.name,
-                           arguments.max_distance};
-  if (request.name.empty()) request.name = request.simulated.stem().string() + "_" + request.observed.stem().string();
-  if (request.name.empty() || request.name[0] == '.' || request.name.find('/') != std::string::npos)
-    throw Error("compare", "--name cannot name a file", request.name, "no slashes, not starting with a dot");
-  if (!(request.max_distance > 0))
-    throw Error("compare", "--max-distance is needed to compare two files", shortest(request.max_distance),
+                           options.output.empty() ? fs::path("compare") : fs::path(options.output), arguments.options};
+  std::string& name = request.options.name;
+  if (name.empty()) name = request.simulated.stem().string() + "_" + request.observed.stem().string();
+  if (name.empty() || name[0] == '.' || name.find('/') != std::string::npos)
+    throw Error("compare", "--name cannot name a file", name, "no slashes, not starting with a dot");
+  if (!(request.options.max_distance > 0))
+    throw Error("compare", "--max-distance is needed to compare two files", shortest(request.options.max_distance),
                 "above 0 m");
-  return compare_files(request, options.threads);
+  const ComparisonReport report = compare_files(request, options.threads);
+  if (!options.quiet) std::printf("%s\n", in_one_line(report).c_str());
+}
+
+/// An option whose values and names are those of the scenario's key.
+template <class E>
+void add_choice(CLI::App& verb, const char* option, E& member, const char* text) {
+  std::map<std::string, E> names;
+  for (const auto& [name, value] : enum_names<E>::value) names.emplace(name, value);
+  verb.add_option(option, member, text)->transform(CLI::CheckedTransformer(names));
 }
 
 void add_compare(CLI::App& app, CommonOptions& options, CompareArguments& arguments, ExitCode& result) {
@@ -146,20 +154,13 @@ void add_compare(CLI::App& app, CommonOptions& options, CompareArguments& argume
   verb->add_option("FILES", arguments.files, "SCENARIO.toml, or a simulated and an observed cloud or frame")
       ->required()
       ->expected(1, 2);
-  verb->add_option("--method", arguments.method, "c2c: distance to the nearest point")->check(CLI::IsMember({"c2c"}));
-  verb->add_option("--max-distance", arguments.max_distance, "beyond it a point has no counterpart, m");
-  verb->add_option("--name", arguments.name, "stem of the result files");
+  add_choice(*verb, "--method", arguments.options.method, "c2c: distance to the nearest point");
+  add_choice(*verb, "--convention", arguments.options.convention, "whose rules decide where programs differ");
+  verb->add_option("--max-distance", arguments.options.max_distance, "beyond it a point has no counterpart, m");
+  verb->add_option("--name", arguments.options.name, "stem of the result files");
   add_common(*verb, options, true);
   verb->callback([&] {
-    if (arguments.files.size() == 2) {
-      const DistanceReport report = compare_two(arguments, options);
-      if (!options.quiet && report.matched == 0)
-        std::printf("none of %zu points has a counterpart within %.6g m\n", report.points, report.max_distance);
-      else if (!options.quiet)
-        std::printf("%zu of %zu points matched; mean %.6g m, median %.6g m, 95 %% below %.6g m, largest %.6g m\n",
-                    report.matched, report.points, report.mean, report.median, report.percentile_95, report.largest);
-      return;
-    }
+    if (arguments.files.size() == 2) return compare_two(arguments, options);
     options.scenario = arguments.files[0];
     Terminal terminal(options.style(), options.quiet);
     Project project = open(options, terminal);

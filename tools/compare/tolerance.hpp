@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "solver/model/compare_options.hpp"
-#include "solver/model/reports.hpp"
+#include "solver/model/comparison_report.hpp"
 
 namespace scarp {
 
-/// Whether every statistic with a tolerance is at most that. One that is NaN, because nothing matched, is not. For each
-/// excess a sentence is appended to `exceeded`, which may be nullptr.
-bool within_tolerance(const DistanceReport& report, const CompareTolerance& tolerance,
+/// Whether the size of every statistic with a tolerance is at most that. One that is NaN, because nothing matched, or
+/// that the method does not have, is not. For each excess a sentence is appended to `exceeded`, which may be nullptr.
+bool within_tolerance(const ComparisonReport& report, const CompareTolerance& tolerance,
                       std::vector<std::string>* exceeded);
 
 }  // namespace scarp

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/model/comparison_report.hpp"
 #include "solver/model/reports.hpp"
 #include "solver/model/scenario.hpp"
 #include "tools/pipeline/artefacts.hpp"
@@ -56,12 +57,15 @@ std::string file_info(const std::filesystem::path& file);
 /// Makes each synthetic scan of the scenario: NAME.las and NAME_truth.asc in the output folder. Returns the files.
 std::vector<std::filesystem::path> synth_scans(Project& project);
 
-/// Two clouds or frames directly; writes OUTPUT/NAME.json, .csv and .las and returns the report.
+/// Two files directly; writes OUTPUT/NAME.json and, with the method's results, .csv, .las and rasters. Returns the
+/// report.
 struct DirectComparison {
   std::filesystem::path simulated, observed, output;
-  std::string name;
-  double max_distance = 0;  ///< m, required
+  CompareOptions options;  ///< name and max_distance are required
 };
-DistanceReport compare_files(const DirectComparison& request, int threads);
+ComparisonReport compare_files(const DirectComparison& request, int threads);
+
+/// What a comparison found, in one line for a person.
+std::string in_one_line(const ComparisonReport& report);
 
 }  // namespace scarp

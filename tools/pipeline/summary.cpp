@@ -79,24 +79,6 @@ Json to_json(const HistorySample& sample) {
           {"external_J", sample.external}};
 }
 
-Json to_json(const DistanceReport& report) {
-  return {{"name", report.name},
-          {"method", report.method},
-          {"unit", "m"},
-          {"points", report.points},
-          {"matched", report.matched},
-          {"max_distance", report.max_distance},
-          {"mean", report.mean},
-          {"median", report.median},
-          {"standard_deviation", report.standard_deviation},
-          {"root_mean_square", report.root_mean_square},
-          {"percentile_95", report.percentile_95},
-          {"largest", report.largest},
-          {"convention",
-           "unsigned distance from each simulated free-surface point to the nearest observed point; statistics "
-           "over matched points, standard deviation with n-1; null where nothing matched"}};
-}
-
 Json read_json(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw Error("pipeline", "cannot read " + path.string(), "no such file or no permission");

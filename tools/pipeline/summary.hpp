@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/model/comparison_report.hpp"
 #include "solver/model/reports.hpp"
 #include "tools/pipeline/artefacts.hpp"
 #include "tools/pipeline/pipeline.hpp"
@@ -28,6 +29,6 @@ nlohmann::ordered_json to_json(const VolumeReport& report);
 /// What the user should know of a solid beside its volume: one sentence each.
 std::vector<std::string> warnings(const VolumeReport& report);
 nlohmann::ordered_json to_json(const HistorySample& sample);
-nlohmann::ordered_json to_json(const DistanceReport& report);
+nlohmann::ordered_json to_json(const ComparisonReport& report);
 
 }  // namespace scarp

@@ -13,15 +13,17 @@
 namespace scarp {
 namespace {
 
-DistanceReport sample_report() {
-  DistanceReport report;
+ComparisonReport sample_report() {
+  ComparisonReport report;
   report.name = "slide";
-  report.points = 10;
-  report.matched = 8;
-  report.mean = 0.3;
-  report.median = 0.2;
-  report.percentile_95 = 0.9;
-  report.largest = 1.5;
+  report.method = "c2c";
+  report.distances.emplace();
+  report.distances->points = 10;
+  report.distances->matched = 8;
+  report.distances->mean = -0.3;
+  report.distances->median = 0.2;
+  report.distances->percentile_95 = 0.9;
+  report.distances->largest = 1.5;
   return report;
 }
 
@@ -39,7 +41,7 @@ TEST(Tolerance, EachExcessIsNamed) {
   std::vector<std::string> exceeded{"from before"};
   EXPECT_FALSE(within_tolerance(sample_report(), tight, &exceeded));
   ASSERT_EQ(exceeded.size(), 5u);
-  EXPECT_EQ(exceeded[1], "slide: mean distance is 0.3 m; tolerance 0.25 m");
+  EXPECT_EQ(exceeded[1], "slide: mean distance is -0.3 m; tolerance 0.25 m");
   EXPECT_NE(exceeded[3].find("95th percentile"), std::string::npos);
   CompareTolerance one;
   one.largest = 1.4;
@@ -47,15 +49,26 @@ TEST(Tolerance, EachExcessIsNamed) {
 }
 
 TEST(Tolerance, UndefinedIsAnExcess) {
-  DistanceReport report = sample_report();
-  report.matched = 0;
-  report.median = std::numeric_limits<double>::quiet_NaN();
+  ComparisonReport report = sample_report();
+  report.distances->matched = 0;
+  report.distances->median = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::string> exceeded;
   CompareTolerance tolerance;
   tolerance.median = 1e9;
   EXPECT_FALSE(within_tolerance(report, tolerance, &exceeded));
   ASSERT_EQ(exceeded.size(), 1u);
   EXPECT_NE(exceeded[0].find("0 of 10 points matched"), std::string::npos) << exceeded[0];
+}
+
+TEST(Tolerance, AMethodWithoutDistancesExceedsIt) {
+  ComparisonReport report = sample_report();
+  report.distances.reset();
+  CompareTolerance tolerance;
+  tolerance.mean = 1e9;
+  std::vector<std::string> exceeded;
+  EXPECT_FALSE(within_tolerance(report, tolerance, &exceeded));
+  ASSERT_EQ(exceeded.size(), 1u);
+  EXPECT_EQ(exceeded[0], "slide: mean distance is not measured by method \"c2c\"; tolerance 1000000000 m");
 }
 
 TEST(PerPointCsv, WritesSiteCoordinatesAndNaN) {

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/compare/compare.hpp"
+
+#include <array>
+#include <string>
+
+#include "solver/model/error.hpp"
+#include "tools/compare/c2c.hpp"
+
+namespace scarp {
+namespace {
+
+constexpr std::array<const char*, 3> kSideNames{"a point cloud", "a raster", "a mesh"};
+
+/// What the method needs a side to be. `which`: "simulated", "observed".
+template <class Geometry, class Side>
+auto& need(Side& side, const std::string& which, const CompareOptions& options) {
+  if (auto* geometry = std::get_if<Geometry>(&side)) return *geometry;
+  throw Error("compare", "method \"" + std::string(name_of(options.method)) + "\" and the " + which + " side",
+              kSideNames[side.index()], kSideNames[ComparedSide(Geometry{}).index()]);
+}
+
+}  // namespace
+
+Comparison compare(ComparedSide simulated, const ComparedSide& observed, const CompareOptions& options, int threads) {
+  switch (options.method) {
+    case CompareMethod::c2c:
+      return compare_c2c(std::move(need<PointCloud>(simulated, "simulated", options)),
+                         need<PointCloud>(observed, "observed", options), options, threads);
+  }
+  return {};
+}
+
+}  // namespace scarp
