@@ -76,11 +76,14 @@ RunEstimate estimate(const Model& model, const SolverOptions& options, const Out
   double fastest = 0;
   for (const Body& body : model.bodies) {
     if (body.formulation != Formulation::total_lagrangian) continue;
+    if (options.anti_locking == AntiLocking::f_bar)
+      result.memory_bytes += static_cast<double>(body.end - body.begin) * sizeof(Mat3);  // TotalBody::since
     result.memory_bytes += grid_bytes(count_grid(model, body), 1 << body.lattice.dimension());
     fastest = std::max(fastest, fastest_wave_per_cell(model, body));
   }
   if (has_formulation(model, Formulation::updated_lagrangian)) {
-    const UpdatedGrid grid = make_updated_grid(model, options.shape, 1);
+    UpdatedGrid grid = make_updated_grid(model, options.shape, 1);
+    if (options.anti_locking == AntiLocking::f_bar) average_volumes(grid);
     result.memory_bytes += memory_bytes(grid);
     fastest = std::max(fastest, fastest_signal_per_cell(model, grid));
   }

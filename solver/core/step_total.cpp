@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/core/averaged_stress.hpp"
 #include "solver/core/check_model.hpp"
 #include "solver/core/stress.hpp"
 #include "solver/core/total_loads.hpp"
@@ -34,7 +35,10 @@ TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int
   for (const Body& body : model.bodies)
     if (body.formulation == Formulation::total_lagrangian) bodies_.push_back(make_total_body(model, body));
   set_loads(bodies_, model);
-  for (TotalBody& body : bodies_) body.conditions.damping = options_.damping;
+  for (TotalBody& body : bodies_) {
+    body.conditions.damping = options_.damping;
+    if (options.anti_locking == AntiLocking::f_bar) average_volumes(body, model.particles);
+  }
   map_state();
 }
 

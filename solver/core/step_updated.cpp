@@ -19,6 +19,7 @@ UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options,
                                [](const Face& face) { return face.condition == FaceCondition::friction; })),
       threads_(threads) {
   conditions_.damping = options_.damping;
+  if (options.anti_locking == AntiLocking::f_bar) average_volumes(grid_);
   for (const NamedMaterial& material : model.materials) laws_.push_back(prepare(material.law, grid_.cell));
   find_speeds();
 }

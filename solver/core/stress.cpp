@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/core/linear_cell.hpp"
+#include "solver/core/averaged_stress.hpp"
+#include "solver/core/total_sweep.hpp"
 #include "solver/model/parallel.hpp"
 
 namespace scarp {
@@ -18,57 +19,6 @@ struct Sweep {
   TotalBody& body;
   const std::vector<PreparedLaw>& laws;
   double dt;
-};
-
-template <class Law>
-PointHistory load_history(const Particles& particles, std::size_t p) {
-  if constexpr (Law::has_history)
-    return {particles.elastic_left_cauchy_green[p], particles.equivalent_plastic_strain[p], particles.plastic_work[p]};
-  return {};
-}
-
-template <class Law>
-void store_history(Particles& particles, std::size_t p, const PointHistory& history) {
-  if constexpr (Law::has_history) {
-    particles.elastic_left_cauchy_green[p] = history.elastic_left_cauchy_green;
-    particles.equivalent_plastic_strain[p] = history.equivalent_plastic_strain;
-    particles.plastic_work[p] = history.plastic_work;
-  }
-}
-
-/// (5) F + dt sum v_I x grad0 phi_Ip; `v` in monomials, `factor` = dt / cell.
-template <int D>
-Mat3 advanced_gradient(const Mat3& F, const typename LinearCell<D>::Values (&v)[D],
-                       const typename LinearCell<D>::Values& m, double factor) {
-  Mat3 next = F;
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-    next[3 * i] += factor * LinearCell<D>::template derivative<0>(v[i], m);
-    next[3 * i + 1] += factor * LinearCell<D>::template derivative<1>(v[i], m);
-    if constexpr (D == 3) next[3 * i + 2] += factor * LinearCell<D>::template derivative<2>(v[i], m);
-  }
-  return next;
-}
-
-/// (1) Adds - V0 P grad0 phi_Ip; `factor` = - V0 / cell.
-template <int D>
-void add_force(typename LinearCell<D>::Values (&sums)[D], const typename LinearCell<D>::Values& m, const Mat3& P,
-               double factor) {
-#pragma GCC unroll 3
-  for (int i = 0; i < D; ++i) {
-    LinearCell<D>::template add_derivative<0>(sums[i], m, factor * P[3 * i]);
-    LinearCell<D>::template add_derivative<1>(sums[i], m, factor * P[3 * i + 1]);
-    if constexpr (D == 3) LinearCell<D>::template add_derivative<2>(sums[i], m, factor * P[3 * i + 2]);
-  }
-}
-
-/// What a cell's particles add up to.
-template <int D>
-struct CellSums {
-  typename LinearCell<D>::Values force[D]{};
-  double mass = 0;
-  double stiffness = 0;  ///< sum of m_p c_p^2
-  std::int64_t bad_particle = -1;
 };
 
 /// Particles [begin, end) of one cell and one law: their F, history and stress; their forces into `sums`.
@@ -99,30 +49,6 @@ inline void sweep_particles(const Sweep& sweep, const Law& law, std::size_t begi
     }
     if (!valid && sums.bad_particle < 0) sums.bad_particle = static_cast<std::int64_t>(p);
   }
-}
-
-template <int D>
-void load_velocities(const TotalBody& body, std::size_t cell, typename LinearCell<D>::Values (&v)[D]) {
-#pragma GCC unroll 8
-  for (int k = 0; k < LinearCell<D>::N; ++k) {
-    const Vec3& node = body.velocity[body.grid.cell_nodes[cell * LinearCell<D>::N + k]];
-#pragma GCC unroll 3
-    for (int d = 0; d < D; ++d) v[d][k] = node[d];
-  }
-#pragma GCC unroll 3
-  for (int d = 0; d < D; ++d) LinearCell<D>::to_monomials(v[d]);
-}
-
-template <int D>
-void store_sums(TotalBody& body, std::size_t cell, CellTask& task, CellSums<D>& sums) {
-#pragma GCC unroll 3
-  for (int d = 0; d < D; ++d) LinearCell<D>::to_corners(sums.force[d]);
-#pragma GCC unroll 8
-  for (int k = 0; k < LinearCell<D>::N; ++k)
-#pragma GCC unroll 3
-    for (int d = 0; d < D; ++d) body.slots[cell * LinearCell<D>::N + k][d] = sums.force[d][k];
-  task.largest_wave_speed_squared = std::max(task.largest_wave_speed_squared, sums.stiffness / sums.mass);
-  if (task.bad_particle < 0) task.bad_particle = sums.bad_particle;
 }
 
 /// The law is resolved once for all cells of the task.
@@ -157,23 +83,13 @@ void sweep_mixed(const Sweep& sweep, CellTask& task) {
 }
 
 template <int D, Mode mode>
-StressOutcome sweep_tasks(const Sweep& sweep, int threads) {
-  std::vector<CellTask>& tasks = sweep.body.tasks;
-  parallel_for(tasks.size(), threads, [&](std::size_t t) {
-    CellTask& task = tasks[t];
-    task.largest_wave_speed_squared = 0;
-    task.bad_particle = -1;
+StressOutcome sweep_body(const Sweep& sweep, int threads) {
+  return sweep_tasks(sweep.body, threads, [&](CellTask& task) {
     if (task.material < 0)
       sweep_mixed<D, mode>(sweep, task);
     else
       std::visit([&](const auto& law) { sweep_pure<D, mode>(sweep, law, task); }, sweep.laws[task.material]);
   });
-  StressOutcome outcome;
-  for (const CellTask& task : tasks) {
-    outcome.largest_wave_speed_squared = std::max(outcome.largest_wave_speed_squared, task.largest_wave_speed_squared);
-    if (outcome.bad_particle < 0) outcome.bad_particle = task.bad_particle;
-  }
-  return outcome;
 }
 
 template <int D>
@@ -195,15 +111,17 @@ void add_body_force_to_cell(const Particles& particles, TotalBody& body, std::si
 
 StressOutcome update_stress(Particles& particles, TotalBody& body, const std::vector<PreparedLaw>& laws, double dt,
                             int threads) {
+  if (!body.since.empty()) return update_averaged_stress(particles, body, laws, dt, threads);
   const Sweep sweep{particles, body, laws, dt};
-  return body.grid.dimension == 2 ? sweep_tasks<2, Mode::update>(sweep, threads)
-                                  : sweep_tasks<3, Mode::update>(sweep, threads);
+  return body.grid.dimension == 2 ? sweep_body<2, Mode::update>(sweep, threads)
+                                  : sweep_body<3, Mode::update>(sweep, threads);
 }
 
 StressOutcome map_stress(Particles& particles, TotalBody& body, const std::vector<PreparedLaw>& laws, int threads) {
+  if (!body.since.empty()) return map_averaged_stress(particles, body, laws, threads);
   const Sweep sweep{particles, body, laws, 0};
-  return body.grid.dimension == 2 ? sweep_tasks<2, Mode::map_only>(sweep, threads)
-                                  : sweep_tasks<3, Mode::map_only>(sweep, threads);
+  return body.grid.dimension == 2 ? sweep_body<2, Mode::map_only>(sweep, threads)
+                                  : sweep_body<3, Mode::map_only>(sweep, threads);
 }
 
 void add_body_force(const Particles& particles, TotalBody& body, const std::function<Vec3(const Vec3& X)>& b) {

@@ -233,6 +233,11 @@ std::vector<Vec3> node_positions(const UpdatedGrid& grid) {
   return positions;
 }
 
+void average_volumes(UpdatedGrid& grid) {
+  grid.averages = true;
+  grid.trial.assign(grid.particles.size(), kIdentity);
+}
+
 double memory_bytes(const UpdatedGrid& grid) {
   double bytes = 0;
   const auto add = [&](const auto&... arrays) {
@@ -240,7 +245,7 @@ double memory_bytes(const UpdatedGrid& grid) {
   };
   add(grid.particles, grid.half_edge, grid.held_by_set, grid.cell_of_lattice, grid.node_of_lattice, grid.cell_keys);
   add(grid.key_blocks, grid.cells, grid.cell_begin, grid.members, grid.xi, grid.slots);
-  add(grid.nodes, grid.held, grid.held_now, grid.mass, grid.velocity, grid.velocity_updated);
+  add(grid.trial, grid.nodes, grid.held, grid.held_now, grid.mass, grid.velocity, grid.velocity_updated);
   return bytes;
 }
 

@@ -74,6 +74,9 @@ struct UpdatedGrid {
 
   std::vector<double> task_maxima;  ///< of a sweep
 
+  bool averages = false;    ///< see average_volumes
+  std::vector<Mat3> trial;  ///< per member where it averages: I + dt L
+
   int window() const { return dimension == 2 ? width * width : width * width * width; }
   std::size_t lattice_cell(const std::array<std::int32_t, 3>& c) const {
     return (static_cast<std::size_t>(c[2]) * cell_count[1] + c[1]) * cell_count[0] + c[0];
@@ -92,6 +95,10 @@ UpdatedGrid make_updated_grid(const Model& model, ShapeFunction shape, int threa
 /// Finds each particle's cell, the occupied cells and their nodes at the particles' present positions.
 /// @return the first particle that lies outside the grid, or -1. If there is one, nothing else has been done.
 std::int64_t place_particles(UpdatedGrid& grid, const Particles& particles, int threads);
+
+/// From now on the laws see F-bar, see averaged_stress.hpp: each step's increment has the mean change of volume of the
+/// cell that the particle lies in (Coombs, Charlton, Cortis, Augarde 2018 for MPM).
+void average_volumes(UpdatedGrid& grid);
 
 /// Of the occupied nodes, m: where their functions stand (Shape::place).
 std::vector<Vec3> node_positions(const UpdatedGrid& grid);

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "solver/core/current_wave_speed.hpp"
+#include "solver/core/f_bar.hpp"
+#include "solver/core/history.hpp"
 #include "solver/core/updated_window.hpp"
 
 namespace scarp {
@@ -22,6 +24,13 @@ Mat3 velocity_gradient(const UpdatedGrid& grid, std::size_t c, std::size_t m, co
   return L;
 }
 
+/// I + dt L.
+Mat3 increment(const Mat3& L, double dt) {
+  Mat3 f = kIdentity;
+  for (int i = 0; i < 9; ++i) f[i] += dt * L[i];
+  return f;
+}
+
 /// (I + dt L) F.
 Mat3 advanced(const Mat3& F, const Mat3& L, double dt) {
   Mat3 next = multiply(L, F);
@@ -36,18 +45,11 @@ double deform(Particles& particles, std::size_t p, const Law& law, const Mat3& F
   const Motion motion = make_motion(particles.deformation_gradient[p], F);
   particles.deformation_gradient[p] = F;
   if (!(motion.J > 0 && motion.J < 1e100)) return -1;
-  PointHistory history;
-  if constexpr (Law::has_history)
-    history = {particles.elastic_left_cauchy_green[p], particles.equivalent_plastic_strain[p],
-               particles.plastic_work[p]};
+  PointHistory history = load_history<Law>(particles, p);
   Sym6& sigma = particles.stress[p];
   if (move) {
     sigma = law.stress(motion, history);
-    if constexpr (Law::has_history) {
-      particles.elastic_left_cauchy_green[p] = history.elastic_left_cauchy_green;
-      particles.equivalent_plastic_strain[p] = history.equivalent_plastic_strain;
-      particles.plastic_work[p] = history.plastic_work;
-    }
+    store_history<Law>(particles, p, history);
   }
   const double c2 = current_wave_speed_squared(law, motion, history);
   return std::isfinite(c2 + sigma[0] + sigma[1] + sigma[2] + sigma[3] + sigma[4] + sigma[5]) ? c2 : -1;
@@ -59,16 +61,40 @@ void note(UpdatedOutcome& outcome, double c2, std::size_t p) {
   if (c2 < 0 && (outcome.bad_particle < 0 || index < outcome.bad_particle)) outcome.bad_particle = index;
 }
 
+/// Gives the increments of cell c's members the mean change of volume, sum V det f / sum V; the Cauchy stress does work
+/// per current volume, so that cell_mean_stress is what makes the work of the forces that of the laws.
+template <int D>
+void average_increments(const Particles& particles, UpdatedGrid& grid, std::size_t c) {
+  double before = 0, after = 0;
+  for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+    const std::uint32_t p = grid.members[m];
+    const double V = determinant(particles.deformation_gradient[p]) * particles.reference_volume[p];
+    before += V;
+    after += V * determinant(grid.trial[m]);
+  }
+  for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+    Mat3& f = grid.trial[m];
+    f = dilated<D>(f, dilation<D>(after / before / determinant(f)));
+  }
+}
+
 template <int D, class S>
-void deform_cell(Particles& particles, const UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, double dt,
-                 bool move, std::size_t c, UpdatedOutcome& outcome) {
+void deform_cell(Particles& particles, UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, double dt, bool move,
+                 std::size_t c, UpdatedOutcome& outcome) {
   Vec3 v[kWindow<D, S>];
   if (move)
     for (int k = 0; k < kWindow<D, S>; ++k) v[k] = grid.velocity[window_node<D, S>(grid, c, k)];
+  if (move && grid.averages) {
+    for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m)
+      grid.trial[m] = increment(velocity_gradient<D, S>(grid, c, m, v), dt);
+    average_increments<D>(particles, grid, c);
+  }
   for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
     const std::uint32_t p = grid.members[m];
     const Mat3& old = particles.deformation_gradient[p];
-    const Mat3 F = move ? advanced(old, velocity_gradient<D, S>(grid, c, m, v), dt) : old;
+    const Mat3 F = !move           ? old
+                   : grid.averages ? multiply(grid.trial[m], old)
+                                   : advanced(old, velocity_gradient<D, S>(grid, c, m, v), dt);
     const double c2 =
         std::visit([&](const auto& law) { return deform(particles, p, law, F, move); }, laws[particles.material[p]]);
     note(outcome, c2, p);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/core/f_bar.hpp"
 #include "solver/core/updated_window.hpp"
 #include "solver/materials/tensor.hpp"
 
@@ -13,10 +14,28 @@ namespace {
 
 constexpr std::size_t kNodesPerTask = 1024;
 
-/// V_p sigma_p, J.
-Sym6 volume_times_stress(const Particles& particles, std::size_t p) {
-  const double V = determinant(particles.deformation_gradient[p]) * particles.reference_volume[p];
-  Sym6 s = particles.stress[p];
+double volume(const Particles& particles, std::size_t p) {
+  return determinant(particles.deformation_gradient[p]) * particles.reference_volume[p];
+}
+
+/// sum V s / sum V of the cell, with s as in averaged_stress.hpp; for grids that average.
+template <int D>
+double cell_mean_stress(const Particles& particles, const UpdatedGrid& grid, std::size_t c) {
+  double sum = 0, V_cell = 0;
+  for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+    const std::uint32_t p = grid.members[m];
+    const double V = volume(particles, p);
+    sum += V * mean_stress<D>(particles.stress[p]);
+    V_cell += V;
+  }
+  return sum / V_cell;
+}
+
+/// V_p sigma_p, J; where the grid averages, with the cell's mean stress.
+template <int D>
+Sym6 volume_times_stress(const Particles& particles, const UpdatedGrid& grid, std::size_t p, double cell_mean) {
+  const double V = volume(particles, p);
+  Sym6 s = grid.averages ? with_mean_stress<D>(particles.stress[p], cell_mean) : particles.stress[p];
   for (double& component : s) component *= V;
   return s;
 }
@@ -38,11 +57,12 @@ template <int D, class S>
 void map_cell(const Particles& particles, UpdatedGrid& grid, std::size_t c) {
   constexpr int window = kWindow<D, S>;
   NodeSums sums[window];
+  const double cell_mean = grid.averages ? cell_mean_stress<D>(particles, grid, c) : 0;
   for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
     const std::uint32_t p = grid.members[m];
     const double mass = particles.mass[p];
     const Vec3 momentum = mass * particles.velocity[p];
-    const Sym6 stress = volume_times_stress(particles, p);
+    const Sym6 stress = volume_times_stress<D>(particles, grid, p, cell_mean);
     WindowWeights<D, S>(grid, c, m).each([&](int k, double phi, const Vec3& gradient) {
       sums[k].mass += phi * mass;
       for (int d = 0; d < D; ++d) sums[k].momentum[d] += phi * momentum[d];
@@ -56,8 +76,9 @@ template <int D, class S>
 void map_forces_of_cell(const Particles& particles, UpdatedGrid& grid, std::size_t c) {
   constexpr int window = kWindow<D, S>;
   Vec3 force[window]{};
+  const double cell_mean = grid.averages ? cell_mean_stress<D>(particles, grid, c) : 0;
   for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
-    const Sym6 stress = volume_times_stress(particles, grid.members[m]);
+    const Sym6 stress = volume_times_stress<D>(particles, grid, grid.members[m], cell_mean);
     WindowWeights<D, S>(grid, c, m).each([&](int k, double, const Vec3& gradient) {
       subtract_product<D>(force[k], stress, gradient);
     });

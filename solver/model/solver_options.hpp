@@ -29,9 +29,18 @@ struct enum_names<ShapeFunction> {
        {"gimp", ShapeFunction::gimp}}};
 };
 
+/// Against volumetric locking, see averaged_stress.hpp.
+enum class AntiLocking { none, f_bar };
+template <>
+struct enum_names<AntiLocking> {
+  static constexpr std::array<std::pair<std::string_view, AntiLocking>, 2> value{
+      {{"none", AntiLocking::none}, {"f-bar", AntiLocking::f_bar}}};
+};
+
 struct SolverOptions {
   UpdateOrder update = UpdateOrder::musl;
   ShapeFunction shape = ShapeFunction::linear;
+  AntiLocking anti_locking = AntiLocking::none;
   double flip = 1.0;
   double pic_rate = 0;
   std::optional<Vec3> gravity;
@@ -50,6 +59,9 @@ struct SolverOptions {
     v("shape", shape,
       Spec{.text =
                "shape functions of the grid; \"quadratic-bspline\" and \"gimp\" in updated-Lagrangian bodies only"});
+    v("anti_locking", anti_locking,
+      Spec{.text = "\"f-bar\": the laws see the mean volume ratio of the cell, so that cells do not lock where volume "
+                   "stays as it is (plastic flow without dilatancy, a Poisson's ratio near 0.5)"});
     v("flip", flip, Spec{.text = "FLIP share of the velocity update; the rest is PIC", .at_least = 0, .at_most = 1});
     v("pic_rate", pic_rate,
       Spec{.text =
