@@ -116,12 +116,7 @@ void check_options(const OutputOptions& options) {
 
 void check_formulations(const Model& model, const SolverOptions& options) {
   for (const Body& body : model.bodies) {
-    if (body.formulation != Formulation::total_lagrangian) {
-      if (!model.loads.empty())
-        refuse("loads with updated-Lagrangian body '" + body.name + "'", std::to_string(model.loads.size()),
-               "none: loads act on total-Lagrangian bodies only");
-      continue;
-    }
+    if (body.formulation != Formulation::total_lagrangian) continue;
     if (options.update != UpdateOrder::musl)
       refuse("update of total-Lagrangian body '" + body.name + "'", std::string(name_of(options.update)),
              "musl; or formulation = \"updated-lagrangian\" for the body");

@@ -9,7 +9,7 @@
 #include "solver/core/current_wave_speed.hpp"
 #include "solver/core/output_clock.hpp"
 #include "solver/core/reference_grid.hpp"
-#include "solver/core/updated_grid.hpp"
+#include "solver/core/updated_conditions.hpp"
 #include "solver/materials/law.hpp"
 
 namespace scarp {
@@ -70,6 +70,7 @@ RunEstimate estimate(const Model& model, const SolverOptions& options, const Out
   check_options(options, model.domain.dimension);
   check_options(output);
   check_formulations(model, options);
+  find_particle_forces(model);  // refuses loads
   RunEstimate result;
   const double count = static_cast<double>(model.particles.size());
   result.memory_bytes = count * bytes_per_particle(model.particles);
@@ -84,6 +85,7 @@ RunEstimate estimate(const Model& model, const SolverOptions& options, const Out
   if (has_formulation(model, Formulation::updated_lagrangian)) {
     UpdatedGrid grid = make_updated_grid(model, options.shape, 1);
     if (options.anti_locking == AntiLocking::f_bar) average_volumes(grid);
+    const UpdatedConditions conditions(model, grid, options.damping);  // refuses loads
     result.memory_bytes += memory_bytes(grid);
     fastest = std::max(fastest, fastest_signal_per_cell(model, grid));
   }

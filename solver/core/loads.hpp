@@ -14,6 +14,12 @@ namespace scarp {
 /// Rows (time, factor): linear between rows, constant beyond the first and the last; 1 without rows.
 double factor_at(const std::vector<Vec2>& table, double time);
 
+/// Whether the reference position X of particle p, or a node there, is in the region. Particles stand on a face of the
+/// domain where it is the border of their share of the volume.
+bool particle_in(const LoadRegion& region, const Model& model, std::size_t p);
+/// @param body  whose node it is; -1: nobody's own
+bool node_in(const LoadRegion& region, const Model& model, const Vec3& x, std::int32_t body);
+
 /// What a load gives to particles: forces at factor 1, N.
 struct ParticleForces {
   std::vector<Vec2> table;
@@ -24,32 +30,41 @@ struct ParticleForces {
 /// Tractions and forces of Model::loads. A surface particle takes traction * V0^((D-1)/D), the face of the cube (2D:
 /// the side of the square) of its volume: exact for a flat face along the lattice that is one particle deep in the
 /// region. A force is shared in proportion to mass.
-/// @throws Error ("solve") where a load is none of the three kinds, or its region holds no particle to act on.
+/// @throws Error ("solve") where a load is none of the four kinds, or its region holds no particle to act on.
 std::vector<ParticleForces> find_particle_forces(const Model& model);
 
 /// The loads on the nodes of one grid.
 class NodeLoads {
  public:
-  /// Nodes in the region of a velocity have it imposed.
+  /// Nodes in the region of a velocity or displacement have it imposed. Again, where the nodes are others now.
   /// @param positions  of the nodes, m, in the reference configuration
-  /// @param held       per node the axes held for good: a velocity takes its axes over
-  /// @return whether any node is in the region of a velocity of that load, per load
-  std::vector<bool> impose_velocities(const Model& model, const std::vector<Vec3>& positions,
-                                      std::vector<std::uint8_t>& held);
+  /// @param body       whose nodes they are; -1: nobody's own
+  /// @param held       per node the axes held for good: what is imposed takes its axes over
+  /// @return whether any node is in the region of what a load imposes, per load
+  std::vector<bool> impose(const Model& model, const std::vector<Vec3>& positions, std::int32_t body,
+                           std::vector<std::uint8_t>& held);
   /// Forces at factor 1, per node, N. Along held axes they are not counted.
   void add_forces(const std::vector<Vec2>& table, const std::vector<Vec3>& node_forces,
                   const std::vector<std::uint8_t>& held);
+  /// Forces of the step to come, N, one per node, for whoever finds them anew in each step; none along held axes.
+  /// Empty: none.
+  std::vector<Vec3> present;
 
-  bool empty() const { return forces_.empty() && velocities_.empty(); }
-  /// While true, forces are those at t = 0 and imposed velocities are zero.
-  void hold_still(bool still) { still_ = still; }
+  bool empty() const { return forces_.empty() && imposed_.empty() && present.empty(); }
+  /// While true, forces in time are those at t = 0 and what is imposed stands still.
+  void hold_still(bool still);
+  /// The time at which forces count in a step: its middle.
+  double time_of_forces(double time, double dt) const { return still_ ? 0 : time + 0.5 * dt; }
+
+  /// Finds what is imposed during the step: the velocity at its end, or the mean one that meets the displacement there.
+  void begin(const NodeStep& step);
   void push(const NodeStep& step) const;
   /// Work of push, once `after` is final, J.
   double work_of_push(const NodeStep& step) const;
   /// Sets `after`; the work that it takes, J.
   double drive(const NodeStep& step) const;
-  /// Sets mapped velocities to those imposed at `time`.
-  void hold(std::vector<Vec3>& velocity, double time) const;
+  /// Sets mapped velocities to what the last step imposed; before the first step does nothing.
+  void hold(std::vector<Vec3>& velocity) const;
 
  private:
   struct Forces {
@@ -57,23 +72,24 @@ class NodeLoads {
     std::vector<std::uint32_t> nodes;
     std::vector<Vec3> forces;
   };
-  struct Velocity {
+  struct Imposed {
     std::vector<Vec2> table;
-    Vec3 velocity{0, 0, 0};
+    Vec3 amount{0, 0, 0};  ///< at factor 1: m/s, or m
+    bool displacement = false;
     std::uint8_t axes = 0;  ///< bits
     std::vector<std::uint32_t> nodes;
+    Vec3 now{0, 0, 0};  ///< of the step begun last, m/s
   };
-  /// Of the middle of the step.
-  double force_factor(const Forces& load, const NodeStep& step) const {
-    return factor_at(load.table, still_ ? 0 : step.time + 0.5 * step.dt);
-  }
-  Vec3 velocity_at(const Velocity& imposed, double time) const {
-    return (still_ ? 0 : factor_at(imposed.table, time)) * imposed.velocity;
+  template <class F>
+  void each_force(const NodeStep& step, F&& f) const;
+  static void set(Vec3& velocity, const Imposed& imposed) {
+    for (int a = 0; a < 3; ++a)
+      if (imposed.axes >> a & 1) velocity[a] = imposed.now[a];
   }
 
-  bool still_ = false;
+  bool still_ = false, begun_ = false;
   std::vector<Forces> forces_;
-  std::vector<Velocity> velocities_;
+  std::vector<Imposed> imposed_;  ///< in the order of the loads that impose something
 };
 
 }  // namespace scarp

@@ -19,9 +19,10 @@ double damp_nodes(const NodeStep& step, double factor, int threads) {
 NodeWork act_on_nodes(NodeConditions& conditions, const NodeStep& step, std::vector<std::uint8_t>& held_now,
                       const Vec3& missing_gravity, int threads) {
   NodeWork work;
-  const NodeLoads& loads = conditions.loads;
+  NodeLoads& loads = conditions.loads;
   conditions.faces.push(step);
   if (!loads.empty()) {
+    loads.begin(step);
     loads.push(step);
     work.external += loads.drive(step);  // first, so that damping does not see the reactions
   }

@@ -21,7 +21,8 @@ void check_friction(const Domain& domain) {
 }  // namespace
 
 NodeFaces::NodeFaces(const Domain& domain, double cell, const std::vector<Vec3>& positions,
-                     const std::vector<std::uint8_t>& held, const std::vector<Vec2>& wave_speeds, bool carried)
+                     const std::vector<std::uint8_t>& held, const std::vector<Vec2>& wave_speeds, bool carried,
+                     double mass_depth)
     : carried_(carried) {
   check_friction(domain);
   const double slack = 1e-6 * cell;
@@ -42,7 +43,7 @@ NodeFaces::NodeFaces(const Domain& domain, double cell, const std::vector<Vec3>&
       face.absorbing = absorbing;
       face.friction = condition.friction;
       if (absorbing)
-        for (int a = 0; a < 3; ++a) face.rate[a] = 2 * wave_speeds[i][a == axis ? 0 : 1] / cell;
+        for (int a = 0; a < 3; ++a) face.rate[a] = wave_speeds[i][a == axis ? 0 : 1] / (mass_depth * cell);
       nodes_.push_back(face);
     }
 }
@@ -91,9 +92,15 @@ void NodeFaces::absorb(FaceNode& face, const NodeStep& step, std::uint8_t& held_
     held_now = kAllAxes;
     return;
   }
-  const Vec3 trial = v;
-  for (int a = 0; a < 3; ++a) v[a] /= 1 + step.dt * face.rate[a];
-  work.damping -= work_on_node(mass, before, trial, v);
+  const Vec3& wave = incoming_[face.side()];
+  for (int a = 0; a < 3; ++a) {
+    if (face.held >> a & 1) continue;
+    const double r = step.dt * face.rate[a], push = 2 * r * wave[a];
+    v[a] = (v[a] + push) / (1 + r);
+    const double carried = 0.5 * mass * (before[a] + v[a]);
+    work.damping += r * v[a] * carried;
+    work.external += push * carried;
+  }
 }
 
 void NodeFaces::push(const NodeStep& step) const {

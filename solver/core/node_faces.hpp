@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -19,9 +20,12 @@ namespace scarp {
 /// is kept, and the face acts again once it has closed.
 ///
 /// Absorbing. Dashpots rho c_p A along the normal and rho c_s A across it (Lysmer and Kuhlemeyer 1969), A the area of
-/// the face that belongs to the node. A node's mass is that of half a cell below this area, m_I = rho A h / 2, so
-/// that the dashpots are rates 2 c / h per mass, whatever the grid is filled with. They are taken at the end of the
-/// step: v~ <- v~ / (1 + dt 2 c / h), which is stable for any step. A dashpot bears no load at rest: see hold_still.
+/// the face that belongs to the node. A node's mass is that of a part d of a cell below this area, m_I = rho A d h, so
+/// that the dashpots are rates r = c / (d h) per mass, whatever the grid is filled with. They are taken at the end of
+/// the step: v~ <- v~ / (1 + dt r), which is stable for any step. A dashpot bears no load at rest: see hold_still.
+///
+/// A wave of velocity v_in that comes through an absorbing face pushes its nodes with 2 rho c A v_in (Joyner and Chen
+/// 1975), so that a free surface above moves with 2 v_in and what it sends back leaves.
 class NodeFaces {
  public:
   NodeFaces() = default;
@@ -30,9 +34,11 @@ class NodeFaces {
   /// @param held         per node the axes that are held at zero for good, as of held_axes
   /// @param wave_speeds  per node c_p and c_s, m/s; empty will do where no face is absorbing
   /// @param carried      whether nodes move with the material
+  /// @param mass_depth   d of the shape functions, in cells
   /// @throws Error ("solve") where a coefficient of friction is not 0 or above.
   NodeFaces(const Domain& domain, double cell, const std::vector<Vec3>& positions,
-            const std::vector<std::uint8_t>& held, const std::vector<Vec2>& wave_speeds, bool carried);
+            const std::vector<std::uint8_t>& held, const std::vector<Vec2>& wave_speeds, bool carried,
+            double mass_depth = 0.5);
 
   /// Whether no node has friction or dashpots.
   bool empty() const { return nodes_.empty(); }
@@ -50,6 +56,30 @@ class NodeFaces {
   /// to false the force that this took last stays as a load, so that what was at rest stays so.
   void hold_still(bool still) { still_ = still; }
 
+  /// Zero mapped velocities where faces hold still.
+  void hold(std::vector<Vec3>& velocity) const {
+    if (!still_) return;
+    for (const FaceNode& face : nodes_)
+      if (face.absorbing) velocity[face.node] = {0, 0, 0};
+  }
+
+  /// v_in of the wave that comes through an absorbing face during the next steps, m/s; each axis on its own.
+  /// @param side  in the order of Domain::faces
+  void send_in(int side, const Vec3& velocity) { incoming_[side] = velocity; }
+
+  /// What `other`, the same faces of other nodes, was told: to hold still, and of waves.
+  void take_over(const NodeFaces& other) {
+    still_ = other.still_;
+    incoming_ = other.incoming_;
+  }
+
+  /// f(node, side, load) of absorbing faces: what hold_still has left, N, to be kept where nodes are numbered anew.
+  template <class F>
+  void each_support(F&& f) {
+    for (FaceNode& face : nodes_)
+      if (face.absorbing) f(face.node, face.side(), face.support);
+  }
+
  private:
   struct FaceNode {
     std::uint32_t node = 0;
@@ -61,11 +91,13 @@ class NodeFaces {
     Vec3 rate{0, 0, 0};     ///< of the dashpots, 1/s
     double gap = 0;         ///< m
     Vec3 support{0, 0, 0};  ///< N; none along held axes
+    int side() const { return 2 * axis + (inward < 0 ? 1 : 0); }
   };
   double rub(FaceNode& face, const NodeStep& step, std::uint8_t& held_now) const;
   void absorb(FaceNode& face, const NodeStep& step, std::uint8_t& held_now, NodeWork& work) const;
 
   std::vector<FaceNode> nodes_;
+  std::array<Vec3, 6> incoming_{};
   bool carried_ = false;
   bool still_ = false;
 };

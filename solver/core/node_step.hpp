@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "solver/model/math.hpp"
@@ -37,6 +38,13 @@ inline NodeWork operator+(const NodeWork& a, const NodeWork& b) {
 /// balance with m v^2 / 2 exact.
 inline double work_on_node(double mass, const Vec3& before, const Vec3& trial, const Vec3& after) {
   return 0.5 * mass * dot(after - trial, before + after);
+}
+
+/// `force` without what acts along held axes, bit 0 for x.
+inline Vec3 free_part(Vec3 force, std::uint8_t held) {
+  for (int a = 0; a < 3; ++a)
+    if (held >> a & 1) force[a] = 0;
+  return force;
 }
 
 /// Sum of f(i) over [0, count) in fixed blocks: the same bits for any number of threads.

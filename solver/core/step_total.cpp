@@ -68,7 +68,7 @@ std::int64_t TotalLagrangian::step(double dt) {
                                  threads_);
     advance_particles(particles, body, options_.flip_share(dt), dt, threads_);  // (3), (1)
     find_node_velocities(body, threads_);                                       // (5), (2)
-    body.conditions.loads.hold(body.velocity, time_ + dt);
+    body.conditions.loads.hold(body.velocity);
     collect(update_stress(particles, body, body.laws, dt, threads_), body.grid.cell, fastest_,
             bad_particle_);  // (5), (6), (1)
   }

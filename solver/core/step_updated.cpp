@@ -15,10 +15,8 @@ UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options,
       grid_(make_updated_grid(model, options.shape, threads)),
       order_(options.update),
       options_(options, model.domain.dimension),
-      rough_faces_(std::any_of(model.domain.faces.begin(), model.domain.faces.end(),
-                               [](const Face& face) { return face.condition == FaceCondition::friction; })),
+      conditions_(model, grid_, options.damping),
       threads_(threads) {
-  conditions_.damping = options_.damping;
   if (options.anti_locking == AntiLocking::f_bar) average_volumes(grid_);
   for (const NamedMaterial& material : model.materials) laws_.push_back(prepare(material.law, grid_.cell));
   find_speeds();
@@ -41,14 +39,9 @@ double UpdatedLagrangian::stable_time_step() const {
   return bad_particle_ < 0 && speed > 0 && std::isfinite(speed) ? options_.courant * grid_.cell / speed : 0;
 }
 
-/// Damping and the faces with friction, whose nodes change with the occupied cells.
-void UpdatedLagrangian::let_conditions_act(double dt, const Vec3& gravity) {
-  if (rough_faces_ && faces_found_at_ != grid_.placings) {
-    conditions_.faces = NodeFaces(model_.domain, grid_.cell, node_positions(grid_), grid_.held, {}, false);
-    faces_found_at_ = grid_.placings;
-  }
-  const NodeStep nodes{grid_.nodes.size(), grid_.mass.data(), grid_.velocity.data(), grid_.velocity_updated.data(), dt};
-  work_ = work_ + act_on_nodes(conditions_, nodes, grid_.held_now, gravity - options_.gravity, threads_);
+void UpdatedLagrangian::place() {
+  lost_particle_ = place_particles(grid_, model_.particles, threads_);
+  if (lost_particle_ < 0) conditions_.follow(grid_);
 }
 
 void UpdatedLagrangian::step(double dt) {
@@ -56,34 +49,36 @@ void UpdatedLagrangian::step(double dt) {
   const Vec3 gravity = options_.gravity_at(time_, dt);
   map_to_nodes(particles, grid_, threads_);  // (1)
   find_node_velocities(grid_, threads_);     // (2)
+  conditions_.hold(grid_);
   if (order_ == UpdateOrder::usf) {
     take(update_stress(particles, grid_, laws_, dt, threads_));  // (5), (6)
     map_forces(particles, grid_, threads_);                      // (1)
   }
   advance_nodes(grid_, gravity, dt, threads_);  // (2)
-  let_conditions_act(dt, gravity);
+  work_ = work_ + conditions_.act(grid_, time_, dt, gravity - options_.gravity, threads_);
   particle_speed_ = advance_particles(particles, grid_, options_.flip_share(dt), dt, threads_);  // (3), (5)
   if (order_ != UpdateOrder::usf) {
     if (order_ == UpdateOrder::musl)
       find_node_velocities(grid_, threads_);  // (5)
     else
-      take_updated_velocities(grid_, threads_);                  // (5)
+      take_updated_velocities(grid_, threads_);  // (5)
+    conditions_.hold(grid_);
     take(update_stress(particles, grid_, laws_, dt, threads_));  // (5), (6)
   }
-  lost_particle_ = place_particles(grid_, particles, threads_);
+  place();
   time_ += dt;
 }
 
 void UpdatedLagrangian::begin_relaxing(double damping) {
   for (std::uint32_t p : grid_.particles) model_.particles.velocity[p] = {0, 0, 0};
-  conditions_.damping = damping;
+  conditions_.begin_relaxing(damping);
   find_speeds();
 }
 
 void UpdatedLagrangian::rest() {
   for (std::uint32_t p : grid_.particles) model_.particles.position[p] = model_.particles.reference_position[p];
-  lost_particle_ = place_particles(grid_, model_.particles, threads_);
-  conditions_.damping = options_.damping;
+  conditions_.rest(grid_);
+  place();
   find_speeds();
   options_.end_ramp();
   work_ = {};

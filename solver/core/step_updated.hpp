@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "solver/core/node_conditions.hpp"
 #include "solver/core/step_options.hpp"
+#include "solver/core/updated_conditions.hpp"
 #include "solver/core/updated_grid.hpp"
 #include "solver/core/updated_stress.hpp"
 #include "solver/materials/law.hpp"
@@ -18,7 +18,7 @@ namespace scarp {
 class UpdatedLagrangian {
  public:
   /// @param model  checked and sorted by cell; must outlive this object
-  /// @throws Error ("solve", "materials"), see make_updated_grid
+  /// @throws Error ("solve", "materials"), see make_updated_grid and UpdatedConditions
   UpdatedLagrangian(Model& model, const SolverOptions& options, int threads);
 
   /// Largest stable step, s: courant * cell / (c + |v|), with c of the stiffest particle in the current configuration
@@ -31,7 +31,7 @@ class UpdatedLagrangian {
   /// Of the nodes' conditions since the start or the last rest().
   NodeWork work() const { return work_; }
 
-  /// For a start at rest (see relax): velocities are zero, damping is `damping`.
+  /// For a start at rest (see relax): velocities are zero, damping is `damping`, absorbing faces and loads hold still.
   void begin_relaxing(double damping);
   /// Ends it: each particle's position is its reference position, so that displacements count from here; stress, F and
   /// history stay. Time and work are zero, gravity is the steady one. The particles' velocities are the caller's to
@@ -46,7 +46,7 @@ class UpdatedLagrangian {
 
  private:
   void find_speeds();
-  void let_conditions_act(double dt, const Vec3& gravity);
+  void place();
   void take(const UpdatedOutcome& outcome);
 
   Model& model_;
@@ -54,9 +54,7 @@ class UpdatedLagrangian {
   UpdatedGrid grid_;
   UpdateOrder order_;
   StepOptions options_;
-  NodeConditions conditions_;
-  bool rough_faces_;                  ///< some face has friction
-  std::uint64_t faces_found_at_ = 0;  ///< UpdatedGrid::placings
+  UpdatedConditions conditions_;
   NodeWork work_;
   double time_ = 0;
   int threads_;

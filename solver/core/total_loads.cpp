@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "solver/core/check_model.hpp"
 #include "solver/core/linear_cell.hpp"
 #include "solver/model/error.hpp"
 
@@ -38,10 +39,11 @@ std::vector<Vec3> map_forces(const TotalBody& body, const ParticleForces& load) 
 void set_loads(std::vector<TotalBody>& bodies, const Model& model) {
   if (model.loads.empty()) return;
   const std::vector<ParticleForces> forces = find_particle_forces(model);
-  std::vector<bool> found(model.loads.size(), false);
+  std::vector<bool> found(model.loads.size(), has_formulation(model, Formulation::updated_lagrangian));
   for (TotalBody& body : bodies) {
     NodeLoads& loads = body.conditions.loads;
-    const std::vector<bool> here = loads.impose_velocities(model, body.node_positions, body.held);
+    const std::vector<bool> here =
+        loads.impose(model, body.node_positions, model.particles.body[body.begin], body.held);
     for (std::size_t l = 0; l < found.size(); ++l) found[l] = found[l] || here[l];
     body.held_now = body.held;
     for (const ParticleForces& load : forces)
@@ -49,8 +51,8 @@ void set_loads(std::vector<TotalBody>& bodies, const Model& model) {
                        body.held);
   }
   for (std::size_t l = 0; l < found.size(); ++l)
-    if (model.loads[l].velocity && !found[l])
-      throw Error("solve", "load '" + model.loads[l].name + "': its velocity is imposed on no node", "",
+    if ((model.loads[l].velocity || model.loads[l].displacement) && !found[l])
+      throw Error("solve", "load '" + model.loads[l].name + "': its motion is imposed on no node", "",
                   "a region with nodes of a body, which are a cell apart");
 }
 

@@ -10,7 +10,8 @@ namespace scarp {
 
 /// Model::loads onto the nodes of the bodies. Weights and areas are those of the reference configuration: nodal
 /// forces at factor 1 are found once.
-/// @throws Error ("solve"), see find_particle_forces, and where a velocity is imposed on no node.
+/// @throws Error ("solve"), see find_particle_forces, and where a motion is imposed on no node, of a model
+///         whose bodies are all total-Lagrangian.
 void set_loads(std::vector<TotalBody>& bodies, const Model& model);
 
 }  // namespace scarp

@@ -18,12 +18,8 @@ std::uint8_t bits(Condition condition, int axis) {
 }
 
 std::uint8_t bits_of_face(const Face& face, int axis) {
-  if (face.condition == FaceCondition::free || face.condition == FaceCondition::friction) return 0;
   if (face.condition == FaceCondition::roller) return bits(Condition::roller, axis);
-  if (face.condition == FaceCondition::fixed) return bits(Condition::fixed, axis);
-  throw Error("solve", std::string("boundary of the domain across ") + "xyz"[axis],
-              std::string(name_of(face.condition)),
-              "free, roller, fixed or friction where there are updated-Lagrangian bodies");
+  return face.condition == FaceCondition::fixed ? bits(Condition::fixed, axis) : std::uint8_t{0};
 }
 
 /// Node indices on an axis whose functions do not vanish at lattice node i; first > last where it is outside.

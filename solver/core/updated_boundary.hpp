@@ -7,8 +7,8 @@
 namespace scarp {
 
 /// Which axes faces and NodeSets hold. A set's lattice node is held by all functions that do not vanish there.
-/// @throws Error ("solve") where a face's condition is one that this grid does not know, a roller's axis is none of
-///         the model's, or a NodeSet's lattice has other nodes than the domain's.
+/// @throws Error ("solve") where a roller's axis is none of the model's, or a NodeSet's lattice has other nodes than
+///         the domain's.
 void find_held_axes(UpdatedGrid& grid, const Model& model);
 
 /// UpdatedGrid::held of the occupied nodes: those on or beyond a face of the domain, and of NodeSets.

@@ -88,7 +88,7 @@ struct UpdatedGrid {
 
 /// The grid with its particles placed.
 /// @throws Error ("solve") where the domain is not made of whole cells or has too many, a particle lies outside it or
-///         is too large for its shape function, a face's condition is one that this grid does not know, or a NodeSet
+///         is too large for its shape function, or a NodeSet
 ///         belongs to a lattice other than the domain's.
 UpdatedGrid make_updated_grid(const Model& model, ShapeFunction shape, int threads);
 

@@ -120,27 +120,16 @@ double advance_cell(Particles& particles, UpdatedGrid& grid, double flip, double
   return fastest;
 }
 
-/// Sum of the slots of node n; a cell that gives to it lies at most width - 1 before it on each axis.
+/// Sum of the slots of node n.
 template <int D, class S>
 NodeSums gather(const UpdatedGrid& grid, const std::array<std::int32_t, 3>& n) {
-  constexpr int w = S::width;
   NodeSums sum;
-  for (int k = 0; k < kWindow<D, S>; ++k) {
-    const std::array<int, 3> place{k % w, k / w % w, D == 2 ? 0 : k / (w * w)};
-    std::array<std::int32_t, 3> cell{0, 0, 0};
-    bool inside = true;
-    for (int a = 0; a < D; ++a) {
-      cell[a] = n[a] - place[a];
-      inside = inside && cell[a] >= 0 && cell[a] < grid.cell_count[a];
-    }
-    if (!inside) continue;
-    const std::uint32_t c = grid.cell_of_lattice[grid.lattice_cell(cell)];
-    if (c == UpdatedGrid::kNone) continue;
-    const NodeSums& slot = grid.slots[c * kWindow<D, S> + k];
+  each_slot_of_node<D, S>(grid, n, [&](std::size_t s) {
+    const NodeSums& slot = grid.slots[s];
     sum.mass += slot.mass;
     sum.momentum = sum.momentum + slot.momentum;
     sum.force = sum.force + slot.force;
-  }
+  });
   return sum;
 }
 

@@ -87,6 +87,25 @@ std::uint32_t window_node(const UpdatedGrid& grid, std::size_t c, int k) {
       {cell[0] + k % S::width, cell[1] + k / S::width % S::width, cell[2] + (D == 2 ? 0 : k / (S::width * S::width))})];
 }
 
+/// f(slot) of all occupied cells that give to node n, in a fixed order; such a cell lies at most width - 1 before it on
+/// each axis.
+template <int D, class S, class F>
+void each_slot_of_node(const UpdatedGrid& grid, const std::array<std::int32_t, 3>& n, F&& f) {
+  constexpr int w = S::width;
+  for (int k = 0; k < kWindow<D, S>; ++k) {
+    const std::array<int, 3> place{k % w, k / w % w, D == 2 ? 0 : k / (w * w)};
+    std::array<std::int32_t, 3> cell{0, 0, 0};
+    bool inside = true;
+    for (int a = 0; a < D; ++a) {
+      cell[a] = n[a] - place[a];
+      inside = inside && cell[a] >= 0 && cell[a] < grid.cell_count[a];
+    }
+    if (!inside) continue;
+    const std::uint32_t c = grid.cell_of_lattice[grid.lattice_cell(cell)];
+    if (c != UpdatedGrid::kNone) f(static_cast<std::size_t>(c) * kWindow<D, S> + k);
+  }
+}
+
 /// Cells that one thread sweeps at a time; the list is fixed by the particles alone.
 inline constexpr std::size_t kUpdatedCellsPerTask = 32;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,22 +31,40 @@ struct RelaxOptions {
   }
 };
 
+/// A face of the domain, in the order of Domain::faces.
+enum class FaceName { x_min, x_max, y_min, y_max, z_min, z_max };
+template <>
+struct enum_names<FaceName> {
+  static constexpr std::array<std::pair<std::string_view, FaceName>, 6> value{{{"x_min", FaceName::x_min},
+                                                                               {"x_max", FaceName::x_max},
+                                                                               {"y_min", FaceName::y_min},
+                                                                               {"y_max", FaceName::y_max},
+                                                                               {"z_min", FaceName::z_min},
+                                                                               {"z_max", FaceName::z_max}}};
+};
+
+/// What is in all that is given.
 struct LoadRegion {
-  BoxShape box;
+  std::optional<BoxShape> box;
+  std::optional<FaceName> face;
+  std::optional<std::string> body;
 
   template <class V>
   void describe(V&& v) {
     v("box", box,
-      Spec{.text = "a box (2D: rectangle) in the reference configuration; it may be flat to name a plane of nodes",
-           .required = true});
+      Spec{.text = "a box (2D: rectangle) in the reference configuration; it may be flat to name a plane of nodes"});
+    v("face", face, Spec{.text = "what stands on a face of the domain: \"x_min\" to \"z_max\""});
+    v("body", body,
+      Spec{.text = "one body of all; nodes of updated-Lagrangian bodies are nobody's own and do not know it"});
   }
 };
 
-/// Something that acts on a part of the bodies in time: one of velocity, traction and force.
+/// Something that acts on a part of the bodies in time: one of velocity, displacement, traction and force.
 struct LoadOptions {
   std::string name;
   LoadRegion where;
   std::optional<Vec3> velocity;
+  std::optional<Vec3> displacement;
   std::string axes = "xyz";
   std::optional<Vec3> traction;
   std::optional<Vec3> force;
@@ -55,8 +74,13 @@ struct LoadOptions {
   void describe(V&& v) {
     v("name", name, Spec{.text = "what messages call it"});
     v("where", where, Spec{.text = "on which nodes or particles", .required = true});
-    v("velocity", velocity, Spec{.text = "imposed on the grid's nodes in the region", .unit = "m/s"});
-    v("axes", axes, Spec{.text = "along which axes the velocity is imposed, of \"xyz\""});
+    v("velocity", velocity,
+      Spec{.text = "imposed on the grid's nodes in the region; in updated-Lagrangian bodies these stand in space, and "
+                   "move whatever comes by",
+           .unit = "m/s"});
+    v("displacement", displacement,
+      Spec{.text = "imposed on the same nodes, exactly at every step; needs a table that is 0 at time 0", .unit = "m"});
+    v("axes", axes, Spec{.text = "along which axes the velocity or displacement is imposed, of \"xyz\""});
     v("traction", traction,
       Spec{.text = "on the surface particles in the region, each of which stands for the face of its volume; of fixed "
                    "direction and reference area",

@@ -7,6 +7,7 @@
 #include "solver/core/estimate.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_inputs.hpp"
+#include "tools/pipeline/run_inputs.hpp"
 #include "tools/pipeline/summary.hpp"
 
 namespace scarp {
@@ -39,7 +40,8 @@ std::vector<std::string> check_project(Project& project) {
     if (std::find(needed.begin(), needed.end(), scan.name) != needed.end())
       scans.emplace(scan.name, std::move(result.cloud));
   });
-  const Model model = build_model(project, scans, site);
+  Model model = build_model(project, scans, site);
+  add_run_inputs(project, model);
   for (const VolumeReport& report : model.volumes) describe_body(report, facts);
   const RunEstimate estimated = estimate(model, project.scenario.solver, project.scenario.output);
   facts.push_back(format("origin: %.0f %.0f %.0f", site.origin[0], site.origin[1], site.origin[2]));

@@ -8,9 +8,9 @@
 #include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_artefacts.hpp"
+#include "tools/pipeline/run_inputs.hpp"
 #include "tools/pipeline/summary.hpp"
 #include "tools/pipeline/write_run.hpp"
-#include "tools/scenario/resolve.hpp"
 
 namespace scarp {
 namespace {
@@ -67,9 +67,7 @@ void solve_stage(Project& project, Outcome& outcome) {
   project.reporter->begin("solve");
   require_made_from(project, Maker::discretize);
   Model model = read_discretized(project);
-  Scenario local = project.scenario;
-  localize_scenario(local, model.site.origin);
-  model.loads = local.loads;
+  add_run_inputs(project, model);
   // Before the first frame, so that frames of a run that was cut off are known for what they are.
   record_summary(project, "solver", {{"status", "running"}});
   record_made_from(project, Maker::solver);

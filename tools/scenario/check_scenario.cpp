@@ -223,23 +223,35 @@ class Checker {
            "a body whose volume is a scan");
   }
 
+  void check_region(const Steps& steps, const LoadRegion& region) const {
+    if (!region.box && !region.face && !region.body)
+      fail(steps, path_of(steps) + " must say where", "at least one of \"box\", \"face\" and \"body\"");
+    for (int a = 0; region.box && a < scenario_.domain.dimension; ++a)  // a flat box names a plane of nodes
+      if (!(region.box->min[a] <= region.box->max[a]))
+        fail(steps + "box" + "max", path_of(steps + "box" + "max") + " must not lie below min in " + "xyz"[a],
+             "at least " + shortest(region.box->min[a]));
+    if (region.face && flat() && static_cast<int>(*region.face) >= 4)
+      fail(steps + "face", path_of(steps + "face") + ": plane strain has no faces in z", "x_min, x_max, y_min, y_max");
+    if (region.body) check_reference(steps + "body", *region.body, "body", names_of(scenario_.bodies));
+  }
+
   void check_load(std::size_t i) const {
     const LoadOptions& load = scenario_.loads[i];
     const Steps steps{"loads", std::to_string(i)};
-    const BoxShape& box = load.where.box;
-    for (int a = 0; a < scenario_.domain.dimension; ++a)  // a flat box names a plane of nodes
-      if (!(box.min[a] <= box.max[a]))
-        fail(steps + "where" + "box" + "max",
-             path_of(steps + "where" + "box" + "max") + " must not lie below min in " + "xyz"[a],
-             "at least " + shortest(box.min[a]));
-    if (load.velocity.has_value() + load.traction.has_value() + load.force.has_value() != 1)
-      fail(steps, path_of(steps) + " must have one of \"velocity\", \"traction\" and \"force\"");
+    check_region(steps + "where", load.where);
+    if (load.velocity.has_value() + load.displacement.has_value() + load.traction.has_value() +
+            load.force.has_value() !=
+        1)
+      fail(steps, path_of(steps) + " must have one of \"velocity\", \"displacement\", \"traction\" and \"force\"");
     if (load.axes.empty() || load.axes.find_first_not_of("xyz") != std::string::npos)
       fail(steps + "axes", path_of(steps + "axes") + " must name axes", "letters of \"xyz\"");
     for (std::size_t r = 1; r < load.table.size(); ++r)
       if (!(load.table[r - 1][0] < load.table[r][0]))
         fail(steps + "table" + std::to_string(r), path_of(steps + "table") + ": times must rise",
              "above " + shortest(load.table[r - 1][0]) + " s");
+    if (load.displacement && (load.table.empty() || load.table[0][0] > 0 || load.table[0][1] != 0))
+      fail(steps + "table", path_of(steps) + ": a displacement needs a table, which must be 0 at time 0",
+           "[[0, 0], ...]");
   }
 
   void check_unique_fields() const {

@@ -463,9 +463,14 @@ TEST(Updated, RefusesWhatItCannotRun) {
   Model broken = model;
   broken.domain.max[0] = 2.9;
   expect_refused(broken, linear, "whole cells");
-  Model absorbing = model;
-  absorbing.domain.faces[0] = FaceCondition::absorbing;
-  expect_refused(absorbing, linear, "absorbing");
+  Model pulled = model;
+  LoadOptions pull;
+  pull.where.body = pulled.bodies[0].name;
+  pull.velocity = Vec3{1, 0, 0};
+  pulled.loads = {pull};
+  expect_refused(pulled, linear, "share their nodes");
+  pulled.loads[0].where = {BoxShape{{0.3, 0.3, 0}, {0.35, 0.35, 0}}, {}, {}};
+  expect_refused(pulled, linear, "on no node");
   Model large = model;
   for (double& V : large.particles.reference_volume) V *= 5;
   expect_refused(large, solver(ShapeFunction::gimp, UpdateOrder::musl, 1), "edge of particle");

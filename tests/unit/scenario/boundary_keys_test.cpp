@@ -63,13 +63,13 @@ TEST_F(BoundaryKeys, LoadsReadWriteAndMove) {
   EXPECT_EQ(s.loads[0].name, "footing");
   EXPECT_EQ(s.loads[0].traction, (Vec3{0, -10000, 0}));
   EXPECT_EQ(s.loads[0].table, (std::vector<Vec2>{{0, 0}, {1, 1}}));
-  EXPECT_EQ(s.loads[0].where.box.max, (Vec3{0.6, 1, 0}));
+  EXPECT_EQ(s.loads[0].where.box->max, (Vec3{0.6, 1, 0}));
   const Scenario again = parse(to_toml(s));
   EXPECT_EQ(again.loads[0].traction, s.loads[0].traction);
   EXPECT_EQ(again.loads[0].table, s.loads[0].table);
   Scenario local = s;
   localize_scenario(local, {0.25, 0.5, 0});
-  EXPECT_EQ(local.loads[0].where.box.min, (Vec3{0.4 - 0.25, 0.9 - 0.5, 0}));
+  EXPECT_EQ(local.loads[0].where.box->min, (Vec3{0.4 - 0.25, 0.9 - 0.5, 0}));
   EXPECT_EQ(local.loads[0].traction, s.loads[0].traction);
 }
 
@@ -77,9 +77,23 @@ TEST_F(BoundaryKeys, WrongLoadsAreRefused) {
   EXPECT_NE(error_of(kDisks + kLoad).find("loads.footing must have one of"), std::string::npos);
   EXPECT_NE(error_of(kDisks + kLoad + "force = [0, 1]\nvelocity = [0, 1]\n").find("must have one of"),
             std::string::npos);
+  EXPECT_NE(error_of(kDisks + kLoad + "displacement = [0, 1]\n").find("0 at time 0"), std::string::npos);
+  EXPECT_NE(error_of(kDisks + kLoad + "displacement = [0, 1]\ntable = [[0, 0.1], [1, 1]]\n").find("0 at time 0"),
+            std::string::npos);
   EXPECT_NE(error_of(kDisks + kLoad + "velocity = [0, 1]\naxes = \"w\"\n").find("axes"), std::string::npos);
   EXPECT_NE(error_of(kDisks + kLoad + "force = [0, 1]\ntable = [[1, 0], [0, 1]]\n").find("times must rise"),
             std::string::npos);
+}
+
+TEST_F(BoundaryKeys, ARegionIsABoxAFaceOrABody) {
+  const std::string load = "[[loads]]\nforce = [0, 1]\nwhere = ";
+  const LoadRegion region = parse(kDisks + load + "{ face = \"y_min\", body = \"left\" }\n").loads[0].where;
+  EXPECT_EQ(region.face, FaceName::y_min);
+  EXPECT_EQ(region.body, "left");
+  EXPECT_FALSE(region.box.has_value());
+  EXPECT_NE(error_of(kDisks + load + "{ }\n").find("must say where"), std::string::npos);
+  EXPECT_NE(error_of(kDisks + load + "{ face = \"z_min\" }\n").find("no faces in z"), std::string::npos);
+  EXPECT_NE(error_of(kDisks + load + "{ body = \"lefd\" }\n").find("did you mean \"left\""), std::string::npos);
 }
 
 TEST_F(BoundaryKeys, StartsAtRestReadAndWrite) {

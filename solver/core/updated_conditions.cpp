@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/updated_conditions.hpp"
+
+#include <algorithm>
+
+#include "solver/core/updated_window.hpp"
+#include "solver/core/wave_speeds.hpp"
+#include "solver/model/error.hpp"
+
+namespace scarp {
+namespace {
+
+constexpr std::size_t kNodesPerTask = 1024;
+
+/// Where the nodes count as standing: functions beyond a wall belong to it.
+std::vector<Vec3> places(const UpdatedGrid& grid, const Domain& domain) {
+  std::vector<Vec3> positions = node_positions(grid);
+  for (Vec3& x : positions)
+    for (int a = 0; a < grid.dimension; ++a) x[a] = std::clamp(x[a], domain.min[a], domain.max[a]);
+  return positions;
+}
+
+/// Whether some function of the grid, occupied or not, stands in the region.
+template <int D, class S>
+bool reaches(const LoadRegion& region, const Model& model, const UpdatedGrid& grid) {
+  Vec3 x = model.domain.min;  // a region is a box: it is met on each axis by itself
+  if (region.face) {
+    const int side = static_cast<int>(*region.face);
+    x[side / 2] = side % 2 == 0 ? model.domain.min[side / 2] : model.domain.max[side / 2];
+  }
+  LoadRegion part = region;
+  part.body.reset();
+  for (int a = 0; a < D; ++a) {
+    if (region.face && static_cast<int>(*region.face) / 2 == a) continue;
+    double nearest = x[a];
+    if (region.box)
+      for (int f = 0; f < grid.node_count[a]; ++f) {
+        const double place = grid.origin[a] + grid.cell * S::place(f, grid.cell_count[a]);
+        if (place >= region.box->min[a] - 1e-6 * grid.cell && place <= region.box->max[a] + 1e-6 * grid.cell)
+          nearest = std::clamp(place, model.domain.min[a], model.domain.max[a]);
+      }
+    x[a] = nearest;
+  }
+  return (!part.box && !part.face) || node_in(part, model, x, -1);
+}
+
+void require_nodes(const Model& model, const UpdatedGrid& grid) {
+  for (const LoadOptions& load : model.loads) {
+    if (!(load.velocity || load.displacement) || load.where.body) continue;
+    bool met = false;
+    with_shape(grid, [&]<int D, class S>() { met = reaches<D, S>(load.where, model, grid); });
+    if (!met)
+      throw Error("solve", "load '" + load.name + "': its motion is imposed on no node", "",
+                  "a region with nodes of the domain's grid, which are a cell apart");
+  }
+}
+
+/// Mass of a full wall's node, in cells below the area that belongs to it.
+double mass_depth(ShapeFunction shape) { return shape == ShapeFunction::quadratic_bspline ? 1.0 / 3 : 0.5; }
+
+/// c_p and c_s at the nodes, weighted by phi_Ip m_p; of the windows of cells on an absorbing face only.
+template <int D, class S>
+void add_wave_speeds(const Model& model, const UpdatedGrid& grid, const std::vector<Vec2>& of_materials,
+                     std::vector<Vec2>& speeds) {
+  std::vector<double> mass(grid.nodes.size(), 0);
+  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+    bool beside = false;
+    for (int a = 0; a < D; ++a)
+      beside = beside || (grid.cells[c][a] == 0 && model.domain.faces[2 * a].condition == FaceCondition::absorbing) ||
+               (grid.cells[c][a] == grid.cell_count[a] - 1 &&
+                model.domain.faces[2 * a + 1].condition == FaceCondition::absorbing);
+    if (!beside) continue;
+    for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+      const std::uint32_t p = grid.members[m];
+      const Vec2& speed = of_materials[model.particles.material[p]];
+      WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) {
+        const std::uint32_t node = window_node<D, S>(grid, c, k);
+        const double weight = phi * model.particles.mass[p];
+        mass[node] += weight;
+        for (int i = 0; i < 2; ++i) speeds[node][i] += weight * speed[i];
+      });
+    }
+  }
+  for (std::size_t i = 0; i < speeds.size(); ++i)
+    if (mass[i] > 0)
+      for (double& c : speeds[i]) c /= mass[i];
+}
+
+}  // namespace
+
+UpdatedConditions::UpdatedConditions(const Model& model, UpdatedGrid& grid, double damping)
+    : model_(model),
+      damping_(damping),
+      acting_faces_(std::any_of(model.domain.faces.begin(), model.domain.faces.end(),
+                                [](const Face& face) {
+                                  return face.condition == FaceCondition::friction ||
+                                         face.condition == FaceCondition::absorbing;
+                                })),
+      loads_(find_particle_forces(model)) {
+  conditions_.damping = damping;
+  if (has_absorbing_face(model.domain)) material_speeds_ = material_wave_speeds(model);
+  if (!loads_.empty()) particle_force_.assign(model.particles.size(), Vec3{0, 0, 0});
+  require_nodes(model, grid);
+  follow(grid);
+}
+
+void UpdatedConditions::follow(UpdatedGrid& grid) {
+  if (followed_ == grid.placings) return;
+  followed_ = grid.placings;
+  if (!model_.loads.empty()) {
+    conditions_.loads.impose(model_, places(grid, model_.domain), -1, grid.held);
+    grid.held_now = grid.held;
+  }
+  if (acting_faces_) find_faces(grid);
+}
+
+void UpdatedConditions::find_faces(const UpdatedGrid& grid) {
+  std::vector<Vec2> speeds;
+  if (!material_speeds_.empty()) {
+    speeds.assign(grid.nodes.size(), Vec2{0, 0});
+    with_shape(grid, [&]<int D, class S>() { add_wave_speeds<D, S>(model_, grid, material_speeds_, speeds); });
+  }
+  NodeFaces faces(model_.domain, grid.cell, node_positions(grid), grid.held, speeds, false, mass_depth(grid.shape));
+  faces.take_over(conditions_.faces);
+  faces.each_support([&](std::uint32_t node, int side, Vec3& support) {
+    const auto found = supports_.find({grid.lattice_node(grid.nodes[node]), side});
+    if (found != supports_.end()) support = found->second;
+  });
+  conditions_.faces = std::move(faces);
+}
+
+void UpdatedConditions::map_forces(const UpdatedGrid& grid, double time, double dt, int threads) {
+  for (const ParticleForces& load : loads_)
+    for (std::uint32_t p : load.particles) particle_force_[p] = {0, 0, 0};
+  for (const ParticleForces& load : loads_) {
+    const double factor = factor_at(load.table, conditions_.loads.time_of_forces(time, dt));
+    for (std::size_t k = 0; k < load.particles.size(); ++k) {
+      Vec3& force = particle_force_[load.particles[k]];
+      force = force + factor * load.forces[k];
+    }
+  }
+  std::vector<Vec3>& nodes = conditions_.loads.present;
+  nodes.resize(grid.nodes.size());
+  slots_.resize(grid.cells.size() * grid.window());
+  with_shape(grid, [&]<int D, class S>() {
+    for_each_updated_cell(grid, threads, [&](std::size_t, std::size_t c) {
+      Vec3 sums[kWindow<D, S>]{};
+      for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+        const Vec3& force = particle_force_[grid.members[m]];
+        if (force == Vec3{0, 0, 0}) continue;
+        WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) { sums[k] = sums[k] + phi * force; });
+      }
+      std::copy(sums, sums + kWindow<D, S>, &slots_[c * kWindow<D, S>]);
+    });
+    parallel_for((nodes.size() + kNodesPerTask - 1) / kNodesPerTask, threads, [&](std::size_t t) {
+      for (std::size_t i = t * kNodesPerTask; i < std::min(nodes.size(), (t + 1) * kNodesPerTask); ++i) {
+        Vec3 sum{0, 0, 0};
+        each_slot_of_node<D, S>(grid, grid.nodes[i], [&](std::size_t s) { sum = sum + slots_[s]; });
+        nodes[i] = free_part(sum, grid.held[i]);
+      }
+    });
+  });
+}
+
+NodeWork UpdatedConditions::act(UpdatedGrid& grid, double time, double dt, const Vec3& missing_gravity, int threads) {
+  if (!particle_force_.empty()) map_forces(grid, time, dt, threads);
+  const NodeStep nodes{
+      grid.nodes.size(), grid.mass.data(), grid.velocity.data(), grid.velocity_updated.data(), dt, time};
+  return act_on_nodes(conditions_, nodes, grid.held_now, missing_gravity, threads);
+}
+
+void UpdatedConditions::begin_relaxing(double damping) {
+  conditions_.damping = damping;
+  conditions_.faces.hold_still(true);
+  conditions_.loads.hold_still(true);
+}
+
+void UpdatedConditions::rest(UpdatedGrid& grid) {
+  conditions_.damping = damping_;
+  conditions_.faces.hold_still(false);
+  conditions_.loads.hold_still(false);
+  conditions_.faces.each_support([&](std::uint32_t node, int side, const Vec3& support) {
+    supports_[{grid.lattice_node(grid.nodes[node]), side}] = support;
+  });
+}
+
+}  // namespace scarp

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "solver/core/node_conditions.hpp"
+#include "solver/core/updated_grid.hpp"
+
+namespace scarp {
+
+/// Faces, loads and damping on the grid of the updated-Lagrangian bodies, whose occupied nodes come and go: faces and
+/// imposed motions belong to places in space, forces on particles go with them.
+class UpdatedConditions {
+ public:
+  /// @throws Error ("solve"), see find_particle_forces, and where a motion is imposed on no node of the grid.
+  UpdatedConditions(const Model& model, UpdatedGrid& grid, double damping);
+
+  /// Finds the nodes of faces and imposed motions anew where other nodes are occupied than before. What is imposed
+  /// takes its axes over from `grid.held`.
+  void follow(UpdatedGrid& grid);
+
+  /// Sets mapped velocities to what the last step imposed, to zero where a start at rest holds faces still.
+  void hold(UpdatedGrid& grid) const {
+    conditions_.faces.hold(grid.velocity);
+    conditions_.loads.hold(grid.velocity);
+  }
+
+  /// See act_on_nodes; `grid.velocity_updated` comes with internal forces, gravity and held axes done.
+  NodeWork act(UpdatedGrid& grid, double time, double dt, const Vec3& missing_gravity, int threads);
+
+  /// A start at rest is sought, with this damping; then ended, while the particles still stand where they found it.
+  void begin_relaxing(double damping);
+  void rest(UpdatedGrid& grid);
+
+ private:
+  void find_faces(const UpdatedGrid& grid);
+  void map_forces(const UpdatedGrid& grid, double time, double dt, int threads);
+
+  const Model& model_;
+  NodeConditions conditions_;
+  double damping_;
+  bool acting_faces_;                 ///< some face has friction or dashpots
+  std::uint64_t followed_ = 0;        ///< UpdatedGrid::placings
+  std::vector<Vec2> material_speeds_;  ///< c_p and c_s; empty where no face is absorbing
+  std::map<std::pair<std::size_t, int>, Vec3> supports_;  ///< by node of the lattice and side, N
+  std::vector<ParticleForces> loads_;
+  std::vector<Vec3> particle_force_;  ///< per particle of the model, N; empty where none is loaded
+  std::vector<Vec3> slots_;
+};
+
+}  // namespace scarp
