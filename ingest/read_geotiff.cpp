@@ -69,8 +69,7 @@ Dataset open(const std::filesystem::path& path) {
   // No other driver, and no file beside this one: a TIFF is all that is asked for.
   const char* const drivers[] = {"GTiff", nullptr};
   const char* const siblings[] = {nullptr};
-  Dataset dataset(
-      GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, siblings));
+  Dataset dataset(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, siblings));
   if (!dataset) refuse(path, "cannot be read as a GeoTIFF", QuietGdal::message(), "a GeoTIFF of heights");
   return dataset;
 }
@@ -113,13 +112,14 @@ void read_band(const std::filesystem::path& path, GDALRasterBandH band, Heightfi
     double* values = field.z.data() + static_cast<std::size_t>(field.rows - 1 - row) * columns;
     const auto line = [&](GDALRasterBandH from, void* to, GDALDataType type) {
       if (GDALRasterIO(from, GF_Read, 0, row, columns, 1, to, columns, 1, type, 0, 0) != CE_None)
-        refuse(path, "row " + std::to_string(row) + " of a raster cannot be read", QuietGdal::message(), "a whole file");
+        refuse(path, "row " + std::to_string(row) + " of a raster cannot be read", QuietGdal::message(),
+               "a whole file");
     };
     line(band, values, GDT_Float64);
     if (masked) line(GDALGetMaskBand(band), valid.data(), GDT_Byte);
     for (int c = 0; c < columns; ++c) {
-      values[c] = valid[static_cast<std::size_t>(c)] ? values[c] * scale + offset
-                                                     : std::numeric_limits<double>::quiet_NaN();
+      values[c] =
+          valid[static_cast<std::size_t>(c)] ? values[c] * scale + offset : std::numeric_limits<double>::quiet_NaN();
       if (std::isinf(values[c])) refuse(path, "height in a raster", shortest(values[c]), "finite");
     }
   }

@@ -90,9 +90,8 @@ void sweep_cell(const Sweep& sweep, std::size_t cell, CellTask& task) {
   CellSums<D> sums;
   MeanStress<D> mean;
   for (std::size_t p = sweep.body.grid.cell_begin[cell]; p < sweep.body.grid.cell_begin[cell + 1]; ++p) {
-    const bool valid =
-        std::visit([&](const auto& law) { return sweep_particle<D>(sweep, law, p, J_cell, sums, mean); },
-                   sweep.laws[sweep.particles.material[p]]);
+    const bool valid = std::visit([&](const auto& law) { return sweep_particle<D>(sweep, law, p, J_cell, sums, mean); },
+                                  sweep.laws[sweep.particles.material[p]]);
     if (!valid && sums.bad_particle < 0) sums.bad_particle = static_cast<std::int64_t>(p);
   }
   const double s_cell = mean.volume > 0 ? mean.stress / mean.volume : 0;

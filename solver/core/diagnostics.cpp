@@ -10,14 +10,6 @@
 namespace scarp {
 namespace {
 
-void add(HistorySample& sum, const HistorySample& part) {
-  sum.kinetic += part.kinetic;
-  sum.strain += part.strain;
-  sum.plastic += part.plastic;
-  sum.potential += part.potential;
-  sum.momentum = sum.momentum + part.momentum;
-}
-
 /// Strain and plastic energy of [begin, end), all of one law.
 template <class Law>
 void add_material_energy(HistorySample& sum, const Particles& particles, const Law& law, std::size_t begin,
@@ -64,6 +56,15 @@ HistorySample Diagnostics::measure(const Model& model, const std::vector<Prepare
   for (const HistorySample& block : blocks_) add(sum, block);
   sum.total = sum.kinetic + sum.strain + sum.plastic + sum.potential;
   return sum;
+}
+
+void add(HistorySample& sum, const HistorySample& part) {
+  sum.kinetic += part.kinetic;
+  sum.strain += part.strain;
+  sum.plastic += part.plastic;
+  sum.potential += part.potential;
+  sum.momentum = sum.momentum + part.momentum;
+  sum.total += part.total;
 }
 
 void add_work(HistorySample& sample, const NodeWork& work) {

@@ -21,6 +21,9 @@ class Diagnostics {
   std::vector<HistorySample> blocks_;
 };
 
+/// Adds what is a sum over particles.
+void add(HistorySample& sum, const HistorySample& part);
+
 /// What the nodes' conditions took and gave, into the sample and its total.
 void add_work(HistorySample& sample, const NodeWork& work);
 

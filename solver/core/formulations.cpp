@@ -10,13 +10,13 @@
 
 namespace scarp {
 
-Formulations::Formulations(Model& model, const SolverOptions& options, int threads)
-    : model_(model), gravity_(gravity_of(options, model.domain.dimension)) {
+Formulations::Formulations(Model& model, const SolverOptions& options, int threads, const kernels::Kernels& kernels)
+    : model_(model), gravity_(gravity_of(options, model.domain.dimension)), threads_(threads) {
   check_model(model);
   check_options(options, model.domain.dimension);
   check_formulations(model, options);
   sort_by_cell(model);
-  if (has_formulation(model, Formulation::total_lagrangian)) total_.emplace(model, options, threads);
+  if (has_formulation(model, Formulation::total_lagrangian)) total_.emplace(model, options, threads, kernels);
   if (has_formulation(model, Formulation::updated_lagrangian)) updated_.emplace(model, options, threads);
 }
 
@@ -65,7 +65,22 @@ void Formulations::set_time(double time) {
   if (updated_) updated_->set_time(time);
 }
 
-std::optional<Failure> Formulations::failure() const {
+void Formulations::write_particles() {
+  if (total_) total_->write_particles();
+}
+
+HistorySample Formulations::measure(Diagnostics& diagnostics) {
+  if (total_ && !updated_ && total_->all_nodal()) return total_->measure();
+  write_particles();
+  return diagnostics.measure(model_, laws(), gravity(), threads_);
+}
+
+std::vector<std::string> Formulations::obstacles() const {
+  return total_ ? total_->obstacles() : std::vector<std::string>();
+}
+
+std::optional<Failure> Formulations::failure() {
+  if (bad_particle() >= 0) write_particles();
   if (total_ && total_->bad_particle() >= 0) return describe_bad_particle(model_.particles, total_->bad_particle());
   if (!updated_) return std::nullopt;
   if (updated_->bad_particle() >= 0) return describe_bad_particle(model_.particles, updated_->bad_particle());

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "solver/core/diagnostics.hpp"
 #include "solver/core/step_total.hpp"
 #include "solver/core/step_updated.hpp"
 
@@ -16,7 +17,8 @@ class Formulations {
  public:
   /// Checks the model and sorts its particles by cell. `model` must outlive this object.
   /// @throws Error ("solve", "materials") where model or options cannot be run.
-  Formulations(Model& model, const SolverOptions& options, int threads);
+  Formulations(Model& model, const SolverOptions& options, int threads,
+               const kernels::Kernels& kernels = kernels::best_kernels());
 
   /// The smaller of both, s; 0 where the state is not finite.
   double stable_time_step() const;
@@ -27,7 +29,14 @@ class Formulations {
   std::int64_t bad_particle() const;
 
   /// Why the state as it stands cannot go on, if so; step and time are the caller's.
-  std::optional<Failure> failure() const;
+  std::optional<Failure> failure();
+
+  /// Brings the model's particles to the state as it stands: steps leave them behind.
+  void write_particles();
+  /// Energies and momenta of the state as it stands; time, step and dt are the caller's.
+  HistorySample measure(Diagnostics& diagnostics);
+  /// Per total-Lagrangian body: empty for the nodal form, else why the body is not in it.
+  std::vector<std::string> obstacles() const;
 
   double time() const { return time_; }
   void set_time(double time);
@@ -44,6 +53,7 @@ class Formulations {
  private:
   Model& model_;
   Vec3 gravity_;
+  int threads_;
   double time_ = 0;
   std::vector<Vec3> start_velocity_;
   std::optional<TotalLagrangian> total_;

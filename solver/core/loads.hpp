@@ -50,6 +50,14 @@ class NodeLoads {
   /// Empty: none.
   std::vector<Vec3> present;
 
+  /// Sets the entries of its nodes.
+  void mark(std::vector<bool>& touched) const {
+    for (const Forces& load : forces_)
+      for (std::uint32_t i : load.nodes) touched[i] = true;
+    for (const Imposed& imposed : imposed_)
+      for (std::uint32_t i : imposed.nodes) touched[i] = true;
+  }
+
   bool empty() const { return forces_.empty() && imposed_.empty() && present.empty(); }
   /// While true, forces in time are those at t = 0 and what is imposed stands still.
   void hold_still(bool still);

@@ -40,6 +40,11 @@ class NodeFaces {
             const std::vector<std::uint8_t>& held, const std::vector<Vec2>& wave_speeds, bool carried,
             double mass_depth = 0.5);
 
+  /// Sets the entries of its nodes.
+  void mark(std::vector<bool>& touched) const {
+    for (const FaceNode& face : nodes_) touched[face.node] = true;
+  }
+
   /// Whether no node has friction or dashpots.
   bool empty() const { return nodes_.empty(); }
 

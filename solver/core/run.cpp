@@ -19,16 +19,17 @@ namespace {
 constexpr double kCollapse = 1e-6;
 
 struct Run {
-  Run(Model& m, const SolverOptions& options, const OutputOptions& output, FrameSink& s, int t)
+  Run(Model& m, const SolverOptions& options, const OutputOptions& output, FrameSink& s,
+      const kernels::Kernels& kernels, int t)
       : model(m),
         sink(s),
         threads(std::max(1, t)),
-        method(m, options, t),
+        method(m, options, t, kernels),
         diagnostics(m.particles.size()),
         clock(output, options.end_time) {}
 
   HistorySample sample(double dt) {
-    HistorySample sample = diagnostics.measure(model, method.laws(), method.gravity(), threads);
+    HistorySample sample = method.measure(diagnostics);
     sample.time = method.time();
     sample.step = report.steps;
     sample.dt = dt;
@@ -52,6 +53,7 @@ struct Run {
     if (clock.sample_due(time)) clock.sample_done();
     if (!frame) return;
     clock.frame_done();
+    method.write_particles();
     sink.frame(model, time, report.steps);
   }
 
@@ -81,14 +83,23 @@ void refuse_endless(double end_time, double first_step) {
 }
 
 /// Why no further step can be taken, if so.
-std::optional<Failure> obstacle(const Run& run, std::int64_t max_steps, double stable, double first_stable) {
+std::optional<Failure> obstacle(Run& run, std::int64_t max_steps, double stable, double first_stable) {
   if (auto failure = run.method.failure()) return failure;
   if (run.report.steps >= max_steps) return Failure{.what = "max_steps reached before the end time"};
   if (!(stable > kCollapse * first_stable)) return Failure{.what = "the time step has collapsed"};
   return std::nullopt;
 }
 
+void report_forms(Run& run, const kernels::Kernels& kernels) {
+  run.report.instruction_set = kernels.name;
+  const std::vector<std::string> obstacles = run.method.obstacles();
+  std::size_t next = 0;
+  for (const Body& body : run.model.bodies)
+    if (body.formulation == Formulation::total_lagrangian) run.report.forms.push_back({body.name, obstacles[next++]});
+}
+
 void finish(Run& run) {
+  run.method.write_particles();
   run.report.particle_steps = run.report.steps * static_cast<std::int64_t>(run.model.particles.size());
   run.report.end_time = run.method.time();
   run.report.largest_displacement = largest_displacement(run.model.particles);
@@ -96,15 +107,18 @@ void finish(Run& run) {
 
 }  // namespace
 
-RunReport run(Model& model, const SolverOptions& options, const OutputOptions& output, FrameSink& sink, int threads) {
+RunReport run(Model& model, const SolverOptions& options, const OutputOptions& output, FrameSink& sink, int threads,
+              const kernels::Kernels& kernels) {
   check_options(output);
-  Run run(model, options, output, sink, threads);
+  Run run(model, options, output, sink, kernels, threads);
   Formulations& method = run.method;
+  report_forms(run, kernels);
   refuse_endless(options.end_time, method.stable_time_step());
   if (auto failure = relax(method, model, options, threads)) run.fail(*failure);
   const double first_stable = method.stable_time_step();
   if (!run.report.failed && !method.failure()) {
     run.record(0);
+    method.write_particles();
     sink.frame(model, 0, 0);
   }
   while (!run.report.failed && method.time() < options.end_time) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solver/core/frame_sink.hpp"
+#include "solver/kernels/choose_kernels.hpp"
 #include "solver/model/model.hpp"
 #include "solver/model/solver_options.hpp"
 
@@ -15,6 +16,7 @@ namespace scarp {
 /// the first, max_steps reached) is a value in the report; the sink hears nothing after it.
 /// Particles are reordered within their body; their ids keep their identity.
 /// @throws Error ("solve", "materials") where model or options cannot be run.
-RunReport run(Model& model, const SolverOptions& options, const OutputOptions& output, FrameSink& sink, int threads);
+RunReport run(Model& model, const SolverOptions& options, const OutputOptions& output, FrameSink& sink, int threads,
+              const kernels::Kernels& kernels = kernels::best_kernels());
 
 }  // namespace scarp

@@ -7,6 +7,7 @@
 
 #include "solver/core/averaged_stress.hpp"
 #include "solver/core/check_model.hpp"
+#include "solver/core/diagnostics.hpp"
 #include "solver/core/stress.hpp"
 #include "solver/core/total_loads.hpp"
 #include "solver/core/transfer.hpp"
@@ -26,7 +27,8 @@ NodeStep nodes_of(TotalBody& body, double dt, double time) {
 
 }  // namespace
 
-TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int threads)
+TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int threads,
+                                 const kernels::Kernels& kernels)
     : model_(model), options_(options, model.domain.dimension), threads_(std::max(1, threads)) {
   check_model(model);
   check_options(options, model.domain.dimension);
@@ -39,38 +41,81 @@ TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int
     body.conditions.damping = options_.damping;
     if (options.anti_locking == AntiLocking::f_bar) average_volumes(body, model.particles);
   }
+  choose_back_ends(options, kernels);
   map_state();
+}
+
+void TotalLagrangian::choose_back_ends(const SolverOptions& options, const kernels::Kernels& kernels) {
+  for (TotalBody& body : bodies_) {
+    const std::optional<std::string> obstacle = options.back_end == BackEnd::particle_state
+                                                    ? std::optional<std::string>("asked for")
+                                                    : NodalBody::obstacle(model_, body);
+    obstacles_.push_back(obstacle.value_or(""));
+    nodal_.push_back(obstacle ? nullptr : std::make_unique<NodalBody>(model_, body, kernels));
+  }
 }
 
 void TotalLagrangian::map_state() {
   fastest_ = 0;
   bad_particle_ = -1;
-  for (TotalBody& body : bodies_) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    TotalBody& body = bodies_[b];
+    if (nodal_[b]) {
+      nodal_[b]->restart(model_.particles, threads_);
+      collect(nodal_[b]->outcome(), body.grid.cell, fastest_, bad_particle_);
+      continue;
+    }
     map_momentum(model_.particles, body, threads_);                                                             // (1)
     find_node_velocities(body, threads_);                                                                       // (2)
     collect(map_stress(model_.particles, body, body.laws, threads_), body.grid.cell, fastest_, bad_particle_);  // (1)
   }
 }
 
+void TotalLagrangian::write_particles() {
+  for (const auto& body : nodal_)
+    if (body) body->write(model_.particles, threads_);
+}
+
+bool TotalLagrangian::all_nodal() const {
+  return std::all_of(nodal_.begin(), nodal_.end(), [](const auto& body) { return body != nullptr; });
+}
+
+HistorySample TotalLagrangian::measure() const {
+  HistorySample sum;
+  for (const auto& body : nodal_) add(sum, body->measure(options_.gravity, threads_));
+  return sum;
+}
+
 double TotalLagrangian::stable_time_step() const {
   return bad_particle_ < 0 && fastest_ > 0 && std::isfinite(fastest_) ? options_.courant / fastest_ : 0;
 }
 
-std::int64_t TotalLagrangian::step(double dt) {
+StressOutcome TotalLagrangian::step_nodal(NodalBody& body, const Vec3& gravity, double dt) {
+  if (body_force) body.add_body_force(model_.particles, [&](const Vec3& X) { return body_force(X, time_); });
+  work_ = work_ + body.step({time_, dt, gravity, gravity - options_.gravity, options_.flip_share(dt)}, threads_);
+  return body.outcome();
+}
+
+StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravity, double dt) {
   Particles& particles = model_.particles;
+  if (body_force) add_body_force(particles, body, [&](const Vec3& X) { return body_force(X, time_); });  // (1)
+  advance_nodes(body, gravity, dt, threads_);                                                            // (2)
+  work_ = work_ +
+          act_on_nodes(body.conditions, nodes_of(body, dt, time_), body.held_now, gravity - options_.gravity, threads_);
+  advance_particles(particles, body, options_.flip_share(dt), dt, threads_);  // (3), (1)
+  find_node_velocities(body, threads_);                                       // (5), (2)
+  body.conditions.loads.hold(body.velocity);
+  return update_stress(particles, body, body.laws, dt, threads_);  // (5), (6), (1)
+}
+
+std::int64_t TotalLagrangian::step(double dt) {
   const Vec3 gravity = options_.gravity_at(time_, dt);
   fastest_ = 0;
   bad_particle_ = -1;
-  for (TotalBody& body : bodies_) {
-    if (body_force) add_body_force(particles, body, [&](const Vec3& X) { return body_force(X, time_); });  // (1)
-    advance_nodes(body, gravity, dt, threads_);                                                            // (2)
-    work_ = work_ + act_on_nodes(body.conditions, nodes_of(body, dt, time_), body.held_now, gravity - options_.gravity,
-                                 threads_);
-    advance_particles(particles, body, options_.flip_share(dt), dt, threads_);  // (3), (1)
-    find_node_velocities(body, threads_);                                       // (5), (2)
-    body.conditions.loads.hold(body.velocity);
-    collect(update_stress(particles, body, body.laws, dt, threads_), body.grid.cell, fastest_,
-            bad_particle_);  // (5), (6), (1)
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const StressOutcome outcome =
+        nodal_[b] ? step_nodal(*nodal_[b], gravity, dt) : step_particles(bodies_[b], gravity, dt);
+    collect(outcome, bodies_[b].grid.cell, fastest_, bad_particle_);
   }
   time_ += dt;
   return bad_particle_;

@@ -3,21 +3,28 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "solver/core/nodal_body.hpp"
 #include "solver/core/step_options.hpp"
 #include "solver/core/total_body.hpp"
+#include "solver/kernels/choose_kernels.hpp"
 #include "solver/materials/law.hpp"
 
 namespace scarp {
 
 /// Explicit total-Lagrangian MPM in the MUSL order (method.md 1.1; de Vaucorbeil, Nguyen, Hutchinson 2020; Sulsky,
-/// Zhou, Schreyer 1995), linear shape functions, particle-state form. 3D and plane strain.
+/// Zhou, Schreyer 1995), linear shape functions. 3D and plane strain.
+///
+/// Bodies are in nodal form where they can be (NodalBody); the others' particles carry their state from step to step.
 class TotalLagrangian {
  public:
   /// Sorts the model's particles by cell, maps their momenta and stresses. `model` must outlive this object.
   /// @throws Error ("solve", "materials") where the model cannot be run.
-  TotalLagrangian(Model& model, const SolverOptions& options, int threads);
+  TotalLagrangian(Model& model, const SolverOptions& options, int threads,
+                  const kernels::Kernels& kernels = kernels::best_kernels());
 
   /// Largest stable step, s: courant * min over bodies of cell / c, with c of the stiffest cell as it is now
   /// (method.md 1.2). The lumped second map of MUSL slows the shortest waves: elastic blocks with 1, 2, 3 points per
@@ -27,6 +34,14 @@ class TotalLagrangian {
   /// One step of `dt` seconds. Index of the first particle whose state is no longer valid (J <= 0 or not finite),
   /// or -1.
   std::int64_t step(double dt);
+
+  /// Brings the particles of bodies in nodal form to the state as it stands.
+  void write_particles();
+  /// Energies and momenta where all bodies are in nodal form.
+  bool all_nodal() const;
+  HistorySample measure() const;
+  /// Per body, in the order of the model: empty for the nodal form, else why the body is not in it.
+  const std::vector<std::string>& obstacles() const { return obstacles_; }
 
   /// The first invalid particle of the state as it stands, or -1.
   std::int64_t bad_particle() const { return bad_particle_; }
@@ -50,9 +65,14 @@ class TotalLagrangian {
  private:
   Model& model_;
   std::vector<TotalBody> bodies_;
+  std::vector<std::unique_ptr<NodalBody>> nodal_;  ///< per body; none where its particles carry the state
+  std::vector<std::string> obstacles_;
   std::vector<PreparedLaw> laws_;
   StepOptions options_;
+  void choose_back_ends(const SolverOptions& options, const kernels::Kernels& kernels);
   void map_state();
+  StressOutcome step_nodal(NodalBody& body, const Vec3& gravity, double dt);
+  StressOutcome step_particles(TotalBody& body, const Vec3& gravity, double dt);
 
   NodeWork work_;
   std::vector<Vec3> start_velocity_;

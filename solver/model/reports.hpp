@@ -73,6 +73,12 @@ struct Failure {
   Vec3 position{0, 0, 0};      ///< local, m
 };
 
+/// In which form a total-Lagrangian body was stepped.
+struct BodyForm {
+  std::string body;
+  std::string obstacle;  ///< empty: nodal; else why its particles carried the state
+};
+
 struct RunReport {
   bool failed = false;
   Failure failure;
@@ -85,6 +91,8 @@ struct RunReport {
   HistorySample first, last;
   double largest_energy_error = 0;  ///< max over samples of |total - total at start|, J
   double largest_kinetic = 0;
+  std::string instruction_set;  ///< that the kernels were compiled for
+  std::vector<BodyForm> forms;
 };
 
 }  // namespace scarp

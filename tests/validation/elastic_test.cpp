@@ -123,6 +123,7 @@ double manufactured_error(int cells, double courant) {
   double worst = 0;
   while (method.time() < end) {
     EXPECT_EQ(method.step(std::min(method.stable_time_step(), end - method.time())), -1);
+    method.write_particles();
     double square = 0;
     for (std::size_t p = 0; p < model.particles.size(); ++p) {
       const Vec3& X = model.particles.reference_position[p];

@@ -26,6 +26,7 @@ struct CommonOptions {
   std::string output;
   std::vector<std::string> overrides;
   int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  std::string instruction_set;
   bool quiet = false;
   std::string progress = "auto";
 
@@ -45,6 +46,9 @@ void add_common(CLI::App& verb, CommonOptions& options, bool writes) {
       ->allow_extra_args(false);
   verb.add_option("--threads", options.threads, "number of threads; results do not depend on it")
       ->check(CLI::Range(1, 1024));
+  verb.add_option("--instruction-set", options.instruction_set,
+                  "of the kernels, one of those that `scarp info --cpu` lists; default: the widest")
+      ->envname("SCARP_INSTRUCTION_SET");
   verb.add_flag("--quiet", options.quiet, "print nothing but errors");
   verb.add_option("--progress", options.progress, "a bar or lines, JSON lines, or nothing")
       ->check(CLI::IsMember({"auto", "json", "none"}));
@@ -59,7 +63,9 @@ fs::path default_output(const fs::path& scenario) {
 
 Project open(const CommonOptions& options, Reporter& reporter) {
   const fs::path output = options.output.empty() ? default_output(options.scenario) : fs::path(options.output);
-  return open_project(options.scenario, options.overrides, output, options.threads, reporter);
+  Project project = open_project(options.scenario, options.overrides, output, options.threads, reporter);
+  if (!options.instruction_set.empty()) project.kernels = &kernels::kernels_named(options.instruction_set);
+  return project;
 }
 
 ExitCode conclude(const Outcome& outcome) {
@@ -204,8 +210,13 @@ ExitCode run_command_line(int argc, char** argv) {
 
   std::vector<std::string> files;
   CLI::App* info = app.add_subcommand("info", "say what a cloud, raster, mesh, model or frame file holds");
-  info->add_option("FILE", files, "files")->required();
-  info->callback([&files] {
+  bool cpu = false;
+  info->add_option("FILE", files, "files");
+  info->add_flag("--cpu", cpu, "say which instruction sets the solver's kernels can use here, the one used first");
+  info->callback([&files, &cpu] {
+    if (files.empty() && !cpu) throw Error("usage", "info needs a FILE or --cpu", "", "see 'scarp info --help'");
+    for (const kernels::Kernels& kernels : kernels::available_kernels())
+      if (cpu) std::printf("%s: %d doubles per operation\n", kernels.name, kernels.lanes);
     for (const std::string& file : files) std::printf("%s", file_info(file).c_str());
   });
   std::string key;

@@ -15,7 +15,7 @@ namespace scarp {
 
 Project open_project(const std::filesystem::path& scenario_file, const std::vector<std::string>& overrides,
                      const std::filesystem::path& output, int threads, Reporter& reporter) {
-  Project project{read_scenario(scenario_file, overrides), {output}, threads, &reporter};
+  Project project{read_scenario(scenario_file, overrides), {output}, threads, &kernels::best_kernels(), &reporter};
   resolve_defaults(project.scenario);
   return project;
 }

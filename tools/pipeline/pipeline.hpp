@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/kernels/choose_kernels.hpp"
 #include "solver/model/comparison_report.hpp"
 #include "solver/model/reports.hpp"
 #include "solver/model/scenario.hpp"
@@ -22,6 +23,7 @@ struct Project {
   Scenario scenario;  ///< resolved, in the site's coordinates
   Artefacts artefacts;
   int threads = 1;
+  const kernels::Kernels* kernels = &kernels::best_kernels();
   Reporter* reporter = nullptr;  ///< never null when a stage runs
 };
 

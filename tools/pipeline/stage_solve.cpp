@@ -38,6 +38,16 @@ std::size_t outside_domain(const Model& model) {
       std::count_if(model.particles.position.begin(), model.particles.position.end(), outside));
 }
 
+Json forms_json(const RunReport& report) {
+  Json forms = Json::array();
+  for (const BodyForm& form : report.forms) {
+    Json entry{{"body", form.body}, {"form", form.obstacle.empty() ? "nodal" : "particle-state"}};
+    if (!form.obstacle.empty()) entry["because"] = form.obstacle;
+    forms.push_back(std::move(entry));
+  }
+  return forms;
+}
+
 Json solver_json(const RunReport& report, const Stopwatch& watch, const RunWriter& writer, const Vec3& failed_at) {
   const double wall = watch.wall() - writer.wall(), processor = watch.processor() - writer.processor();
   const double particle_steps = static_cast<double>(std::max<std::int64_t>(report.particle_steps, 1));
@@ -47,7 +57,8 @@ Json solver_json(const RunReport& report, const Stopwatch& watch, const RunWrite
           {"particle_steps", report.particle_steps},
           {"wall_ns_per_particle_step", 1e9 * wall / particle_steps},
           {"cpu_ns_per_particle_step", 1e9 * processor / particle_steps},
-          {"instruction_set", "x86-64 baseline"},
+          {"instruction_set", report.instruction_set},
+          {"total_lagrangian_bodies", forms_json(report)},
           {"end_time_s", report.end_time},
           {"smallest_dt_s", report.smallest_dt},
           {"largest_dt_s", report.largest_dt},
@@ -75,7 +86,8 @@ void solve_stage(Project& project, Outcome& outcome) {
   const Stopwatch watch;
   // Waiting for each other costs threads more than a small model's sweeps; the bits are the same.
   const int threads = model.particles.size() < 20'000 ? 1 : project.threads;
-  const RunReport report = run(model, project.scenario.solver, project.scenario.output, writer, threads);
+  const RunReport report =
+      run(model, project.scenario.solver, project.scenario.output, writer, threads, *project.kernels);
   writer.finish();
 
   outcome.simulation_failed = report.failed;

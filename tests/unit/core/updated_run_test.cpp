@@ -84,6 +84,7 @@ TEST(Updated, FirstStepIsTheTotalLagrangianOne) {
     for (int step = 1; step <= 2; ++step) {
       a.step(dt);
       b.step(dt);
+      b.write_particles();
       const double F = largest_difference(updated.particles.deformation_gradient, total.particles.deformation_gradient);
       const double v = largest_difference(updated.particles.velocity, total.particles.velocity);
       const double x = largest_difference(updated.particles.position, total.particles.position);

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/core/nodal_layout.hpp"
+#include "solver/core/node_step.hpp"
+#include "solver/core/stress.hpp"
+#include "solver/model/reports.hpp"
+
+namespace scarp {
+
+/// What a step asks of a body.
+struct NodalStep {
+  double time = 0;
+  double dt = 0;
+  Vec3 gravity{0, 0, 0};
+  Vec3 missing_gravity{0, 0, 0};  ///< gravity less the steady one that counts as potential energy
+  double flip = 1;
+};
+
+/// A total-Lagrangian body in nodal form (solver/kernels/nodal.hpp): the particles are not touched by a step, and their
+/// state is a function of the nodes', evaluated when someone asks. Exactly the method of the particle-state form
+/// (transfer.hpp, stress.hpp), which is its oracle.
+///
+/// Nodes that something holds, drives or rubs are advanced one by one, through TotalBody::conditions; all others by the
+/// kernels.
+class NodalBody {
+ public:
+  /// Why this body cannot be in nodal form, or nothing if it can: a law without kernel, or a state at the start that is
+  /// no function of nodes at rest.
+  static std::optional<std::string> obstacle(const Model& model, const TotalBody& body);
+
+  /// @param body  made, with its loads set; must outlive this object
+  NodalBody(const Model& model, TotalBody& body, const kernels::Kernels& kernels);
+
+  /// Starts, or starts anew, from the velocities of `particles` and their reference positions: what W and A have
+  /// gathered is forgotten, U and the history stay.
+  void restart(const Particles& particles, int threads);
+
+  /// Adds b(X) per mass to the forces of the next step. Serial.
+  void add_body_force(const Particles& particles, const std::function<Vec3(const Vec3& X)>& b);
+
+  /// A whole step; what the nodes' conditions took and gave.
+  NodeWork step(const NodalStep& step, int threads);
+  /// Of the state after it.
+  const StressOutcome& outcome() const { return outcome_; }
+
+  /// Position, velocity, F, stress and history of the body's particles.
+  void write(Particles& particles, int threads) const;
+  /// Energies and momenta, without the particles.
+  HistorySample measure(const Vec3& gravity, int threads) const;
+
+ private:
+  void reserve_fields();
+  void choose_special_nodes();
+  void fill_history();
+  NodeWork advance_forces(const NodalStep& step, int threads);
+  void sweep_momentum(int threads);
+  void find_velocities(double dt, int threads);
+  kernels::StressSweep stress_sweep_of(double* history) const;
+  void sweep_stress(int threads);
+  void add_shared_rows(int threads);
+  double start_share() const { return moves_ ? share_ : 0; }
+  std::int64_t find_bad_particle(std::size_t segment) const;
+  PointHistory history_at(std::size_t segment, int place, int lane, const Mat3& F) const;
+  /// Adds sum_p phi_Ip value(p), serially.
+  void scatter(double* const (&field)[3], const std::function<Vec3(std::size_t)>& value) const;
+  template <int D, class F>
+  void scatter_segments(double* const (&field)[3], F&& value) const;
+  template <int D>
+  void write_segment(Particles& particles, std::size_t segment) const;
+
+  const Model& model_;
+  TotalBody& body_;
+  const kernels::Kernels& kernels_;
+  NodalLayout layout_;
+  std::vector<std::uint32_t> shared_groups_;  ///< begins in NodalLayout::shared
+  std::vector<kernels::LawParameters> laws_;
+  AlignedArray memory_;
+  kernels::NodeArrays nodes_{};
+  double* P0_[3] = {};
+  double* per_mass_ = nullptr;
+  AlignedArray history_;
+  std::vector<std::uint32_t> special_;  ///< nodes of the ReferenceGrid that the kernels leave alone
+  std::vector<double> special_mass_;    ///< per node of the ReferenceGrid: m_I, or 0
+  std::vector<Vec3> special_momentum_;  ///< per special node: what has been mapped, before anything holds it
+  std::vector<Vec3> start_velocity_;    ///< per particle of the body; one where all are alike
+  double start_square_ = 0;             ///< sum of m v(0)^2
+  bool moves_ = false;                  ///< whether any particle had a velocity at the start
+  double share_ = 1;                    ///< product of all FLIP shares
+  StressOutcome outcome_;
+  std::vector<kernels::StressResult> slab_results_;
+  std::vector<kernels::ForceResult> chunk_results_;
+};
+
+}  // namespace scarp

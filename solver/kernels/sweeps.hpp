@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The sweeps of a step over segments and over nodes, see nodal.hpp.
+#pragma once
+
+#include "solver/kernels/cell_sweeps.hpp"
+#include "solver/kernels/packed_laws.hpp"
+
+namespace SCARP_KERNELS {
+namespace {
+
+using scarp::kernels::CellKind;
+using scarp::kernels::EnergyResult;
+using scarp::kernels::ForceResult;
+using scarp::kernels::ForceSweep;
+using scarp::kernels::kSegment;
+using scarp::kernels::MomentumSweep;
+using scarp::kernels::NodeArrays;
+using scarp::kernels::Segment;
+using scarp::kernels::StressResult;
+using scarp::kernels::StressSweep;
+using scarp::kernels::VelocitySweep;
+
+/// factor U at the corners.
+template <int D>
+SCARP_INLINE void gather_displacement(const StressSweep& sweep, const Segment& segment, int lane, double factor,
+                                      Pack (&u)[D][kCorners<D>]) {
+  for (int c = 0; c < D; ++c) {
+    gather<D>(sweep.nodes.U[c], segment, lane, u[c]);
+#pragma GCC unroll 8
+    for (int k = 0; k < kCorners<D>; ++k) u[c][k] *= factor;
+  }
+}
+
+template <int D, class Law>
+SCARP_INLINE double* history_of(const StressSweep& sweep, const Segment& segment, int place, int lane) {
+  return sweep.history + segment.history + place * (Law::template fields<D> * kSegment) + lane;
+}
+
+/// F of a point of regular cells.
+template <int D>
+SCARP_INLINE void regular_deformation(const Pack (&g)[D][D][kHalf<D>], int point, Deformation<D>& d) {
+#pragma GCC unroll 3
+  for (int c = 0; c < D; ++c)
+#pragma GCC unroll 3
+    for (int axis = 0; axis < D; ++axis)
+      d.F[3 * c + axis] = g[c][axis][across<D>(axis, point)] + (c == axis ? 1.0 : 0.0);
+  d.complete();
+}
+
+/// The same of cut cells, from U / cell and the point in monomials.
+template <int D>
+SCARP_INLINE void cut_deformation(const Pack (&a)[D][kCorners<D>], const Pack (&m)[kCorners<D>], Deformation<D>& d) {
+#pragma GCC unroll 3
+  for (int c = 0; c < D; ++c)
+#pragma GCC unroll 3
+    for (int axis = 0; axis < D; ++axis) d.F[3 * c + axis] = derivative<D>(a[c], m, axis) + (c == axis ? 1.0 : 0.0);
+  d.complete();
+}
+
+/// What a pack of cells adds up to.
+template <int D>
+struct CellSums {
+  Pack corner[D][kCorners<D>];
+  Pack stiffness{};  ///< sum of m c^2
+  Pack mass{};
+  Mask bad{};
+};
+
+template <int D, class Law>
+SCARP_INLINE void regular_point(const StressSweep& sweep, const Law& law, const Segment& segment, int lane, int point,
+                                const Pack (&g)[D][D][kHalf<D>], Pack (&h)[D][D][kHalf<D>], CellSums<D>& sums) {
+  Deformation<D> d;
+  regular_deformation<D>(g, point, d);
+  double* history = history_of<D, Law>(sweep, segment, point, lane);
+  Pack P[9];
+  law.template stress<D>(d, history, P);
+#pragma GCC unroll 3
+  for (int c = 0; c < D; ++c)
+#pragma GCC unroll 3
+    for (int axis = 0; axis < D; ++axis) h[c][axis][across<D>(axis, point)] += P[3 * c + axis];
+  sums.bad |= ~(d.J > 0.0);
+  if (sweep.find_speed) sums.stiffness += law.template speed_squared<D>(d, history);
+}
+
+template <int D, class Law>
+SCARP_INLINE void regular_cells(const StressSweep& sweep, const Law& law, const Segment& segment, int lane,
+                                CellSums<D>& sums) {
+  Pack u[D][kCorners<D>], g[D][D][kHalf<D>], h[D][D][kHalf<D>] = {};
+  gather_displacement<D>(sweep, segment, lane, kRegularFactor<D> * sweep.per_cell, u);
+  for (int c = 0; c < D; ++c) regular_gradient<D>(u[c], g[c]);
+  if constexpr (Law::light) {
+#pragma GCC unroll 8
+    for (int point = 0; point < kCorners<D>; ++point) regular_point<D>(sweep, law, segment, lane, point, g, h, sums);
+  } else {
+#pragma GCC unroll 1
+    for (int point = 0; point < kCorners<D>; ++point) regular_point<D>(sweep, law, segment, lane, point, g, h, sums);
+  }
+  const double* points = sweep.points + segment.points + lane;
+  sums.mass = load(points);
+  const Pack V0 = load(points + kSegment), factor = V0 * (-kRegularFactor<D> * sweep.per_cell);
+  for (int c = 0; c < D; ++c) {
+    regular_divergence<D>(h[c], sums.corner[c]);
+#pragma GCC unroll 8
+    for (int k = 0; k < kCorners<D>; ++k) sums.corner[c][k] *= factor;
+  }
+  sums.stiffness *= choose(sums.mass > 0.0, all(1.0 / kCorners<D>), Pack{});
+  sums.mass = all(1.0);
+  sums.bad &= V0 > 0.0;
+}
+
+template <int D, class Law>
+SCARP_INLINE void cut_cells(const StressSweep& sweep, const Law& law, const Segment& segment, int lane,
+                            CellSums<D>& sums) {
+  Pack a[D][kCorners<D>];
+  gather_displacement<D>(sweep, segment, lane, sweep.per_cell, a);
+  for (int c = 0; c < D; ++c) {
+    to_monomials<D>(a[c]);
+    for (int k = 0; k < kCorners<D>; ++k) sums.corner[c][k] = Pack{};
+  }
+#pragma GCC unroll 1
+  for (int place = 0; place < segment.places; ++place) {
+    const double* point = sweep.points + segment.points + place * ((D + 2) * kSegment) + lane;
+    Pack m[kCorners<D>], P[9];
+    monomials<D>(point, m);
+    const Pack V0 = load(point + D * kSegment), factor = -V0 * sweep.per_cell;
+    Deformation<D> d;
+    cut_deformation<D>(a, m, d);
+    double* history = history_of<D, Law>(sweep, segment, place, lane);
+    law.template stress<D>(d, history, P);
+#pragma GCC unroll 3
+    for (int c = 0; c < D; ++c)
+#pragma GCC unroll 3
+      for (int axis = 0; axis < D; ++axis) add_derivative<D>(sums.corner[c], m, axis, factor * P[3 * c + axis]);
+    sums.bad |= ~(d.J > 0.0) & (V0 > 0.0);
+    if (sweep.find_speed) {
+      const Pack mass = load(point + (D + 1) * kSegment);
+      sums.stiffness += mass * law.template speed_squared<D>(d, history);
+      sums.mass += mass;
+    }
+  }
+  for (int c = 0; c < D; ++c) to_corners<D>(sums.corner[c]);
+  sums.mass = choose(sums.mass > 0.0, sums.mass, all(1.0));
+}
+
+/// Lanes in which some sum is not finite.
+template <int D>
+SCARP_INLINE Mask not_finite(const CellSums<D>& sums) {
+  Pack t = sums.stiffness;
+  for (int c = 0; c < D; ++c)
+    for (int k = 0; k < kCorners<D>; ++k) t += magnitude(sums.corner[c][k]);
+  return ~((t - t) == 0.0);
+}
+
+template <int D, class Law>
+void stress_sweep(const StressSweep& sweep, const Segment* begin, const Segment* end, StressResult& result) {
+  RowSums<D> rows(sweep.nodes.sum);
+  Pack fastest{};
+  for (const Segment* segment = begin; segment != end; ++segment) {
+    const Law law(sweep.laws[segment->law].value);
+    rows.begin(*segment);
+    for (int lane = 0; lane < kSegment; lane += kLanes) {
+      CellSums<D> sums;
+      if (segment->kind == CellKind::regular)
+        regular_cells<D>(sweep, law, *segment, lane, sums);
+      else
+        cut_cells<D>(sweep, law, *segment, lane, sums);
+      for (int c = 0; c < D; ++c) rows.give(c, lane, sums.corner[c]);
+      fastest = larger(fastest, sums.stiffness / sums.mass);
+      if (any(sums.bad | not_finite(sums)) && result.bad_segment < 0) result.bad_segment = segment - begin;
+    }
+  }
+  rows.flush();
+  const double found = largest(fastest);
+  if (found > result.largest_speed_squared) result.largest_speed_squared = found;
+}
+
+template <int D, class Law>
+void energy_sweep(const StressSweep& sweep, const Segment* begin, const Segment* end, EnergyResult& result) {
+  Pack strain{}, plastic{};
+  for (const Segment* segment = begin; segment != end; ++segment) {
+    const Law law(sweep.laws[segment->law].value);
+    for (int lane = 0; lane < kSegment; lane += kLanes) {
+      Pack u[D][kCorners<D>], g[D][D][kHalf<D>];
+      const bool regular = segment->kind == CellKind::regular;
+      gather_displacement<D>(sweep, *segment, lane, (regular ? kRegularFactor<D> : 1.0) * sweep.per_cell, u);
+      for (int c = 0; c < D; ++c)
+        if (regular)
+          regular_gradient<D>(u[c], g[c]);
+        else
+          to_monomials<D>(u[c]);
+      const double* points = sweep.points + segment->points + lane;
+#pragma GCC unroll 1
+      for (int place = 0; place < segment->places; ++place) {
+        Deformation<D> d;
+        Pack V0;
+        if (regular) {
+          V0 = load(points + kSegment);
+          regular_deformation<D>(g, place, d);
+        } else {
+          const double* point = points + place * ((D + 2) * kSegment);
+          Pack m[kCorners<D>];
+          monomials<D>(point, m);
+          V0 = load(point + D * kSegment);
+          cut_deformation<D>(u, m, d);
+        }
+        const double* history = history_of<D, Law>(sweep, *segment, place, lane);
+        strain += V0 * law.template energy<D>(d, history);
+        plastic += V0 * Law::template plastic_work<D>(history);
+      }
+    }
+  }
+  result.strain += sum(strain);
+  result.plastic += sum(plastic);
+}
+
+/// sum_J M_IJ a_J of cut cells, in place. One component at a time: all that it needs stays in registers.
+template <int D>
+SCARP_INLINE void cut_momentum(const double* points, int places, Pack (&a)[kCorners<D>]) {
+  Pack sums[kCorners<D>] = {};
+  to_monomials<D>(a);
+#pragma GCC unroll 2
+  for (int place = 0; place < places; ++place) {
+    const double* point = points + place * ((D + 2) * kSegment);
+    Pack m[kCorners<D>];
+    monomials<D>(point, m);
+    const Pack w = load(point + (D + 1) * kSegment) * value<D>(a, m);
+    sums[0] += w;
+#pragma GCC unroll 8
+    for (int k = 1; k < kCorners<D>; ++k) sums[k] += w * m[k];
+  }
+  to_corners<D>(sums);
+#pragma GCC unroll 8
+  for (int k = 0; k < kCorners<D>; ++k) a[k] = sums[k];
+}
+
+template <int D>
+void momentum_sweep(const MomentumSweep& sweep, const Segment* begin, const Segment* end) {
+  RowSums<D> rows(sweep.nodes.sum);
+  for (const Segment* segment = begin; segment != end; ++segment) {
+    rows.begin(*segment);
+    for (int lane = 0; lane < kSegment; lane += kLanes) {
+      const double* points = sweep.points + segment->points + lane;
+      Pack a[D][kCorners<D>];
+      for (int c = 0; c < D; ++c) gather<D>(sweep.nodes.A[c], *segment, lane, a[c]);
+      if (segment->kind == CellKind::regular) {
+        const Pack mass = kRegularMass<D> * load(points);
+        for (int c = 0; c < D; ++c) {
+          regular_mass<D>(a[c]);
+          for (int k = 0; k < kCorners<D>; ++k) a[c][k] *= mass;
+        }
+      } else {
+        for (int c = 0; c < D; ++c) cut_momentum<D>(points, segment->places, a[c]);
+      }
+      for (int c = 0; c < D; ++c) rows.give(c, lane, a[c]);
+    }
+  }
+  rows.flush();
+}
+
+void force_sweep(const ForceSweep& sweep, std::size_t begin, std::size_t end, ForceResult& result) {
+  Pack damped{}, momentum[3] = {};
+  for (std::size_t i = begin; i < end; i += kLanes) {
+    const Pack per_mass = load(sweep.nodes.per_mass + i);
+    const Mask here = per_mass > 0.0;
+    const Pack mass = 1.0 / choose(here, per_mass, all(1.0));
+    for (int c = 0; c < 3; ++c) {
+      const Pack v = load(sweep.nodes.v[c] + i), f = load(sweep.nodes.sum[c] + i), A = load(sweep.nodes.A[c] + i);
+      const Pack change = sweep.dt * (f * per_mass + sweep.gravity[c]);
+      Pack next = v + change;
+      if (sweep.damping > 0) {
+        const Pack slowed = next - with_sign(choose(v == 0.0, Pack{}, sweep.damping * magnitude(change)), v);
+        damped += choose(here, 0.5 * mass * (next - slowed) * (v + slowed), Pack{});
+        next = slowed;
+      }
+      momentum[c] += choose(here, 0.5 * mass * (v + next), Pack{});
+      store(sweep.nodes.A[c] + i, choose(here, sweep.alpha * A + next - sweep.alpha * v, A));
+      add(sweep.nodes.W[c] + i, choose(here, sweep.dt * next, Pack{}));
+      store(sweep.nodes.sum[c] + i, Pack{});
+    }
+  }
+  result.damped += sum(damped);
+  for (int c = 0; c < 3; ++c) result.momentum[c] += sum(momentum[c]);
+}
+
+void velocity_sweep(const VelocitySweep& sweep, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; i += kLanes) {
+    const Pack per_mass = load(sweep.nodes.per_mass + i);
+    for (int c = 0; c < 3; ++c) {
+      Pack p = load(sweep.nodes.sum[c] + i);
+      if (sweep.start_share != 0) p += sweep.start_share * load(sweep.nodes.P0[c] + i);
+      const Pack v = p * per_mass;
+      store(sweep.nodes.v[c] + i, v);
+      add(sweep.nodes.U[c] + i, sweep.dt * v);
+      store(sweep.nodes.sum[c] + i, Pack{});
+    }
+  }
+}
+
+void log_of(const double* x, double* result, std::size_t count) {
+  for (std::size_t i = 0; i < count; i += kLanes) store(result + i, natural_log(load(x + i)));
+}
+
+void exp_of(const double* x, double* result, std::size_t count) {
+  for (std::size_t i = 0; i < count; i += kLanes) store(result + i, exponential(load(x + i)));
+}
+
+double multiply_add(std::int64_t rounds) {
+  Pack a[12];
+  for (int k = 0; k < 12; ++k) a[k] = all(1 + k);
+  Pack factor = all(0.999), term = all(1e-3);
+  for (std::int64_t round = 0; round < rounds; ++round) {
+#pragma GCC unroll 12
+    for (int k = 0; k < 12; ++k) a[k] = a[k] * factor + term;
+#if defined(__x86_64__)
+    // Keeps the compiler from taking several rounds together.
+    asm volatile("" : "+v"(factor), "+v"(term));
+#endif
+  }
+  Pack s{};
+  for (int k = 0; k < 12; ++k) s += a[k];
+  return sum(s);
+}
+
+template <class Law>
+void enter(scarp::kernels::Kernels& kernels, scarp::kernels::LawKind kind) {
+  const int k = static_cast<int>(kind);
+  kernels.stress[k][0] = stress_sweep<2, Law>;
+  kernels.stress[k][1] = stress_sweep<3, Law>;
+  kernels.energy[k][0] = energy_sweep<2, Law>;
+  kernels.energy[k][1] = energy_sweep<3, Law>;
+}
+
+}  // namespace
+
+scarp::kernels::Kernels kernels(const char* name) {
+  using scarp::kernels::LawKind;
+  scarp::kernels::Kernels table{};
+  table.name = name;
+  table.lanes = kLanes;
+  enter<NeoHookean>(table, LawKind::neo_hookean);
+  enter<Hencky>(table, LawKind::hencky);
+  enter<VonMises>(table, LawKind::von_mises);
+  enter<DruckerPrager>(table, LawKind::drucker_prager);
+  enter<MohrCoulomb>(table, LawKind::mohr_coulomb);
+  table.momentum[0] = momentum_sweep<2>;
+  table.momentum[1] = momentum_sweep<3>;
+  table.forces = force_sweep;
+  table.velocities = velocity_sweep;
+  table.natural_log = log_of;
+  table.exponential = exp_of;
+  table.multiply_add = multiply_add;
+  return table;
+}
+
+}  // namespace SCARP_KERNELS
