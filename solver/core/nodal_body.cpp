@@ -118,7 +118,7 @@ void NodalBody::restart(const Particles& particles, int threads) {
     start_velocity_.shrink_to_fit();
   }
   find_velocities(0, threads);
-  sweep_stress(threads);
+  sweep_stress(true, threads);
 }
 
 void NodalBody::add_body_force(const Particles& particles, const std::function<Vec3(const Vec3& X)>& b) {
@@ -129,7 +129,7 @@ NodeWork NodalBody::step(const NodalStep& step, int threads) {
   const NodeWork work = advance_forces(step, threads);
   sweep_momentum(threads);
   find_velocities(step.dt, threads);
-  sweep_stress(threads);
+  sweep_stress(step.find_speed, threads);
   return work;
 }
 
@@ -211,13 +211,13 @@ void NodalBody::find_velocities(double dt, int threads) {
   }
 }
 
-kernels::StressSweep NodalBody::stress_sweep_of(double* history) const {
-  return {nodes_, 1 / layout_.cell, layout_.points.data(), history, laws_.data(), true};
+kernels::StressSweep NodalBody::stress_sweep_of(double* history, bool find_speed) const {
+  return {nodes_, 1 / layout_.cell, layout_.points.data(), history, laws_.data(), find_speed};
 }
 
 /// (5), (6), (1) F, stress and forces.
-void NodalBody::sweep_stress(int threads) {
-  const kernels::StressSweep sweep = stress_sweep_of(history_.data());
+void NodalBody::sweep_stress(bool find_speed, int threads) {
+  const kernels::StressSweep sweep = stress_sweep_of(history_.data(), find_speed);
   parallel_for(layout_.slabs.size(), threads, [&](std::size_t s) {
     kernels::StressResult& result = slab_results_[s];
     result = {};
@@ -230,7 +230,7 @@ void NodalBody::sweep_stress(int threads) {
     }
   });
   add_shared_rows(threads);
-  outcome_ = {};
+  outcome_ = {find_speed ? 0 : outcome_.largest_wave_speed_squared, -1};
   for (const kernels::StressResult& result : slab_results_) {
     outcome_.largest_wave_speed_squared = std::max(outcome_.largest_wave_speed_squared, result.largest_speed_squared);
     if (outcome_.bad_particle < 0 && result.bad_segment >= 0)
@@ -256,7 +256,7 @@ HistorySample NodalBody::measure(const Vec3& gravity, int threads) const {
   sample.kinetic = 0.5 * (of_change + share_ * (share_ * start_square_ + of_start));
   sample.potential = -dot(gravity, displaced);
   std::vector<kernels::EnergyResult> found(layout_.slabs.size());
-  const kernels::StressSweep sweep = stress_sweep_of(const_cast<double*>(history_.data()));
+  const kernels::StressSweep sweep = stress_sweep_of(const_cast<double*>(history_.data()), false);
   parallel_for(layout_.slabs.size(), threads, [&](std::size_t s) {
     for (const Slab::Run& run : layout_.slabs[s].runs)
       kernels_.energy[static_cast<int>(run.law)][layout_.dimension - 2](sweep, &layout_.segments[run.begin],

@@ -21,6 +21,7 @@ struct NodalStep {
   Vec3 gravity{0, 0, 0};
   Vec3 missing_gravity{0, 0, 0};  ///< gravity less the steady one that counts as potential energy
   double flip = 1;
+  bool find_speed = true;  ///< whether the outcome needs the wave speed; else it keeps the last one
 };
 
 /// A total-Lagrangian body in nodal form (solver/kernels/nodal.hpp): the particles are not touched by a step, and their
@@ -62,8 +63,8 @@ class NodalBody {
   NodeWork advance_forces(const NodalStep& step, int threads);
   void sweep_momentum(int threads);
   void find_velocities(double dt, int threads);
-  kernels::StressSweep stress_sweep_of(double* history) const;
-  void sweep_stress(int threads);
+  kernels::StressSweep stress_sweep_of(double* history, bool find_speed) const;
+  void sweep_stress(bool find_speed, int threads);
   void add_shared_rows(int threads);
   double start_share() const { return moves_ ? share_ : 0; }
   std::int64_t find_bad_particle(std::size_t segment) const;

@@ -15,6 +15,9 @@
 namespace scarp {
 namespace {
 
+/// See stable_time_step.
+constexpr int kStepsPerLook = 4;
+
 void collect(const StressOutcome& outcome, double cell, double& fastest, std::int64_t& bad_particle) {
   fastest = std::max(fastest, std::sqrt(outcome.largest_wave_speed_squared) / cell);
   if (bad_particle < 0) bad_particle = outcome.bad_particle;
@@ -57,6 +60,8 @@ void TotalLagrangian::choose_back_ends(const SolverOptions& options, const kerne
 
 void TotalLagrangian::map_state() {
   fastest_ = 0;
+  since_look_ = 0;
+  particles_current_ = false;
   bad_particle_ = -1;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     TotalBody& body = bodies_[b];
@@ -72,6 +77,8 @@ void TotalLagrangian::map_state() {
 }
 
 void TotalLagrangian::write_particles() {
+  if (particles_current_) return;
+  particles_current_ = true;
   for (const auto& body : nodal_)
     if (body) body->write(model_.particles, threads_);
 }
@@ -90,9 +97,10 @@ double TotalLagrangian::stable_time_step() const {
   return bad_particle_ < 0 && fastest_ > 0 && std::isfinite(fastest_) ? options_.courant / fastest_ : 0;
 }
 
-StressOutcome TotalLagrangian::step_nodal(NodalBody& body, const Vec3& gravity, double dt) {
+StressOutcome TotalLagrangian::step_nodal(NodalBody& body, const Vec3& gravity, double dt, bool find_speed) {
   if (body_force) body.add_body_force(model_.particles, [&](const Vec3& X) { return body_force(X, time_); });
-  work_ = work_ + body.step({time_, dt, gravity, gravity - options_.gravity, options_.flip_share(dt)}, threads_);
+  work_ = work_ +
+          body.step({time_, dt, gravity, gravity - options_.gravity, options_.flip_share(dt), find_speed}, threads_);
   return body.outcome();
 }
 
@@ -110,13 +118,16 @@ StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravi
 
 std::int64_t TotalLagrangian::step(double dt) {
   const Vec3 gravity = options_.gravity_at(time_, dt);
+  const bool look = ++since_look_ == kStepsPerLook;
+  const double last_fastest = fastest_;
+  if (look) since_look_ = 0;
   fastest_ = 0;
   bad_particle_ = -1;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const StressOutcome outcome =
-        nodal_[b] ? step_nodal(*nodal_[b], gravity, dt) : step_particles(bodies_[b], gravity, dt);
-    collect(outcome, bodies_[b].grid.cell, fastest_, bad_particle_);
-  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    collect(nodal_[b] ? step_nodal(*nodal_[b], gravity, dt, look) : step_particles(bodies_[b], gravity, dt),
+            bodies_[b].grid.cell, fastest_, bad_particle_);
+  if (!look) fastest_ = last_fastest;
+  particles_current_ = false;
   time_ += dt;
   return bad_particle_;
 }

@@ -28,7 +28,8 @@ class TotalLagrangian {
 
   /// Largest stable step, s: courant * min over bodies of cell / c, with c of the stiffest cell as it is now
   /// (method.md 1.2). The lumped second map of MUSL slows the shortest waves: elastic blocks with 1, 2, 3 points per
-  /// axis, 2D and 3D, are stable to courant 1.4 and none beyond 1.8. 0 where the state is not finite.
+  /// axis, 2D and 3D, are stable to courant 1.4 and none beyond 1.8. The cells are looked at every fourth step: in
+  /// between a wave crosses two cells at most, and strains change by little. 0 where the state is not finite.
   double stable_time_step() const;
 
   /// One step of `dt` seconds. Index of the first particle whose state is no longer valid (J <= 0 or not finite),
@@ -71,14 +72,16 @@ class TotalLagrangian {
   StepOptions options_;
   void choose_back_ends(const SolverOptions& options, const kernels::Kernels& kernels);
   void map_state();
-  StressOutcome step_nodal(NodalBody& body, const Vec3& gravity, double dt);
+  StressOutcome step_nodal(NodalBody& body, const Vec3& gravity, double dt, bool find_speed);
   StressOutcome step_particles(TotalBody& body, const Vec3& gravity, double dt);
 
   NodeWork work_;
   std::vector<Vec3> start_velocity_;
   int threads_;
   double time_ = 0;
-  double fastest_ = 0;  ///< max over bodies of c / cell, 1/s
+  double fastest_ = 0;              ///< max over bodies of c / cell, 1/s
+  int since_look_ = 0;              ///< steps since it was found
+  bool particles_current_ = false;  ///< whether write_particles has nothing to do
   std::int64_t bad_particle_ = -1;
 };
 

@@ -171,9 +171,9 @@ SCARP_INLINE Symmetric<D> combine(double c, const double (&factors)[N], const Sy
   Symmetric<D> s;
 #pragma GCC unroll 6
   for (int i = 0; i < Symmetric<D>::n; ++i) {
-    s.a[i] = i < 3 ? all(c) : Pack{};
+    s.a[i] = i < 3 && c != 0 ? c + factors[0] * tensors[0].a[i] : factors[0] * tensors[0].a[i];
 #pragma GCC unroll 4
-    for (int k = 0; k < N; ++k) s.a[i] += factors[k] * tensors[k].a[i];
+    for (int k = 1; k < N; ++k) s.a[i] += factors[k] == 1 ? tensors[k].a[i] : factors[k] * tensors[k].a[i];
   }
   return s;
 }

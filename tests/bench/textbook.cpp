@@ -24,7 +24,8 @@ struct Weights {
     for (int k = 0; k < N; ++k) {
       const int i[3] = {k & 1, k >> 1 & 1, k >> 2};
       std::size_t index = 0;
-      for (int a = D - 1; a >= 0; --a) index = index * static_cast<std::size_t>(nodes) + static_cast<std::size_t>(cell[a] + i[a]);
+      for (int a = D - 1; a >= 0; --a)
+        index = index * static_cast<std::size_t>(nodes) + static_cast<std::size_t>(cell[a] + i[a]);
       node[k] = index;
       w[k] = 1;
       for (int a = 0; a < D; ++a) w[k] *= i[a] ? xi[a] : 1 - xi[a];

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "solver/model/error.hpp"
+#include "solver/model/write_whole.hpp"
 #include "tools/cli/terminal.hpp"
+#include "tools/pipeline/bench.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/scenario/describe_scenario.hpp"
 
@@ -177,6 +179,49 @@ void add_compare(CLI::App& app, CommonOptions& options, CompareArguments& argume
   });
 }
 
+struct BenchArguments {
+  BenchOptions options;
+  std::vector<std::string> sets;
+  std::string json;
+};
+
+void print(const BenchReport& report) {
+  for (const auto& [name, peak] : report.peak_gflops)
+    std::printf("multiply-add peak of %s: %.1f Gflop/s on one thread\n", name.c_str(), peak);
+  std::printf("memory, read and written in place: %.1f GB/s on one thread\n", report.stream_gb_per_s);
+  std::printf("textbook, processor ns per particle-step: TL %.1f, TL plane strain %.1f, UL %.1f\n\n",
+              report.textbook_total_ns, report.textbook_total_2d_ns, report.textbook_updated_ns);
+  std::printf("%-40s %-10s %7s %9s %9s %9s %6s %7s\n", "case", "kernels", "threads", "cpu ns", "wall ns", "textbook/",
+              "peak", "stream");
+  const auto share = [](double s) { return s > 0 ? std::to_string(static_cast<int>(100 * s + 0.5)) + " %" : ""; };
+  for (const BenchRow& row : report.rows)
+    std::printf("%-40s %-10s %7d %9.2f %9.2f %9.1f %6s %7s\n", row.name.c_str(), row.kernels.c_str(), row.threads,
+                row.processor_ns, row.wall_ns, row.ratio, share(row.share_of_peak).c_str(),
+                share(row.share_of_stream).c_str());
+}
+
+void add_bench(CLI::App& app, BenchArguments& arguments) {
+  CLI::App* verb = app.add_subcommand("bench", "time the solver's steps against the method as a textbook writes it");
+  BenchOptions& options = arguments.options;
+  verb->add_option("--particles", options.particles, "about how many")->check(CLI::Range(1'000, 100'000'000));
+  verb->add_option("--steps", options.steps, "timed per case; the fastest counts")->check(CLI::Range(1, 1'000'000));
+  verb->add_option("--threads", options.threads, "numbers of threads, each of which is timed")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1024));
+  verb->add_option("--instruction-set", arguments.sets, "one or more of `scarp info --cpu`; default: the widest")
+      ->delimiter(',')
+      ->envname("SCARP_INSTRUCTION_SET");
+  verb->add_option("--case", options.only, "only cases whose name holds this text");
+  verb->add_option("--json", arguments.json, "also write the figures to this file");
+  verb->callback([&arguments] {
+    if (!arguments.sets.empty()) arguments.options.kernels.clear();
+    for (const std::string& name : arguments.sets) arguments.options.kernels.push_back(&kernels::kernels_named(name));
+    const BenchReport report = bench(arguments.options);
+    print(report);
+    if (!arguments.json.empty()) write_whole(arguments.json, bench_json(report));
+  });
+}
+
 void add_synth(CLI::App& app, CommonOptions& options) {
   CLI::App* verb = app.add_subcommand("synth", "write the scenario's synthetic scans and their exact ground");
   verb->add_option("SCENARIO", options.scenario, "scenario file with [scans.synthetic] tables")->required();
@@ -207,6 +252,8 @@ ExitCode run_command_line(int argc, char** argv) {
   add_compare(app, options, comparison, result);
   add_check(app, options);
   add_synth(app, options);
+  BenchArguments benchmark;
+  add_bench(app, benchmark);
 
   std::vector<std::string> files;
   CLI::App* info = app.add_subcommand("info", "say what a cloud, raster, mesh, model or frame file holds");

@@ -14,7 +14,8 @@ namespace {
 /// Distance in units of the last place of `expected`.
 double ulps(double got, long double expected) {
   const double rounded = static_cast<double>(expected);
-  return static_cast<double>(std::abs(got - expected) / (std::nextafter(std::abs(rounded), INFINITY) - std::abs(rounded)));
+  return static_cast<double>(std::abs(got - expected) /
+                             (std::nextafter(std::abs(rounded), INFINITY) - std::abs(rounded)));
 }
 
 std::vector<double> arguments_of_log() {
@@ -35,8 +36,10 @@ TEST(VectorMath, LogarithmAndExponentialAreWithinTwoUnitsOfTheLastPlace) {
     std::vector<double> y(x.size());
     kernels.natural_log(x.data(), y.data(), x.size());
     for (std::size_t i = 0; i < x.size(); ++i)
-      worst_log = std::max(worst_log, x[i] == 1 ? std::abs(y[i]) : ulps(y[i], std::log(static_cast<long double>(x[i]))));
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = -700 + 1400.0 * static_cast<double>(i) / static_cast<double>(x.size());
+      worst_log =
+          std::max(worst_log, x[i] == 1 ? std::abs(y[i]) : ulps(y[i], std::log(static_cast<long double>(x[i]))));
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] = -700 + 1400.0 * static_cast<double>(i) / static_cast<double>(x.size());
     kernels.exponential(x.data(), y.data(), x.size());
     for (std::size_t i = 0; i < x.size(); ++i)
       worst_exp = std::max(worst_exp, ulps(y[i], std::exp(static_cast<long double>(x[i]))));
