@@ -8,12 +8,11 @@
 #include <numeric>
 #include <span>
 
-#include "solver/model/error.hpp"
+#include "ingest/neighbours/checked_positions.hpp"
 
 namespace scarp {
 namespace {
 
-constexpr double kLargestCoordinate = 1e100;  // m; its square is still finite
 constexpr std::size_t kLeafSize = 12;
 
 /// The positions, as nanoflann asks for them.
@@ -113,24 +112,14 @@ class Within {
   std::vector<Neighbour>& found_;
 };
 
-const std::vector<Vec3>& checked(const std::vector<Vec3>& positions) {
-  if (positions.size() >= std::numeric_limits<std::uint32_t>::max())
-    throw Error("neighbours", "too many points for a search tree", std::to_string(positions.size()), "below 2^32");
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    for (double c : positions[i])
-      if (!(std::abs(c) <= kLargestCoordinate))
-        throw Error("neighbours", "a coordinate of point " + std::to_string(i) + " cannot be searched", shortest(c),
-                    "finite numbers");
-  return positions;
-}
-
 }  // namespace
 
 struct Neighbours::Tree {
   using Metric = nanoflann::L2_Simple_Adaptor<double, Positions, double, std::uint32_t>;
   using Index = nanoflann::KDTreeSingleIndexAdaptor<Metric, Positions, 3, std::uint32_t>;
 
-  explicit Tree(const std::vector<Vec3>& values) : size(checked(values).size()) {
+  explicit Tree(const std::vector<Vec3>& values) : size(values.size()) {
+    check_positions(values);
     std::vector<std::uint32_t> order(size);
     std::iota(order.begin(), order.end(), std::uint32_t{0});
     build(values, order, false);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "solver/model/m3c2_options.hpp"
 #include "solver/model/schema.hpp"
 
 namespace scarp {
@@ -19,18 +20,22 @@ struct enum_names<SimulatedFrame> {
 };
 
 /// How two surfaces are held against each other.
-enum class CompareMethod { c2c };
+enum class CompareMethod { c2c, m3c2 };
 template <>
 struct enum_names<CompareMethod> {
-  static constexpr std::array<std::pair<std::string_view, CompareMethod>, 1> value{{{"c2c", CompareMethod::c2c}}};
+  static constexpr std::array<std::pair<std::string_view, CompareMethod>, 2> value{
+      {{"c2c", CompareMethod::c2c}, {"m3c2", CompareMethod::m3c2}}};
 };
 
 /// Whose rules decide where programs of the field differ.
-enum class CompareConvention { scarp };
+enum class CompareConvention { scarp, py4dgeo, cloudcompare, pdal };
 template <>
 struct enum_names<CompareConvention> {
-  static constexpr std::array<std::pair<std::string_view, CompareConvention>, 1> value{
-      {{"scarp", CompareConvention::scarp}}};
+  static constexpr std::array<std::pair<std::string_view, CompareConvention>, 4> value{
+      {{"scarp", CompareConvention::scarp},
+       {"py4dgeo", CompareConvention::py4dgeo},
+       {"cloudcompare", CompareConvention::cloudcompare},
+       {"pdal", CompareConvention::pdal}}};
 };
 
 struct CompareTolerance {
@@ -56,6 +61,9 @@ struct CompareOptions {
   CompareMethod method = CompareMethod::c2c;
   CompareConvention convention = CompareConvention::scarp;
   double max_distance = 0;
+  double registration_error = 0;
+  double simulated_spacing = 0;
+  M3c2Options m3c2;
   CompareTolerance tolerance;
 
   template <class V>
@@ -63,10 +71,24 @@ struct CompareOptions {
     v("name", name, Spec{.text = "stem of the result files; default: SIMULATED_OBSERVED"});
     v("simulated", simulated, Spec{.text = "frame that is held against the scan"});
     v("observed", observed, Spec{.text = "name of a scan", .required = true});
-    v("method", method, Spec{.text = "c2c: distance to the nearest point"});
+    v("method", method,
+      Spec{.text =
+               "c2c: distance to the nearest point; m3c2: distance along normals between local averages, with a level "
+               "of detection"});
     v("convention", convention, Spec{.text = "whose rules decide where programs differ"});
     v("max_distance", max_distance,
       Spec{.text = "beyond it a point has no counterpart (NaN); 0 means ten cells", .unit = "m", .at_least = 0});
+    v("registration_error", registration_error,
+      Spec{.text = "standard deviation of a shift between the two sides that all points share; in practice that of "
+                   "distances on stable ground",
+           .unit = "m",
+           .at_least = 0});
+    v("simulated_spacing", simulated_spacing,
+      Spec{.text = "distance between material points: what is finer the simulation does not resolve, so that its "
+                   "standard error is at least this / sqrt(12); 0: the simulated side is a scan too",
+           .unit = "m",
+           .at_least = 0});
+    v("m3c2", m3c2, Spec{.text = "how method m3c2 takes normals and averages"});
     v("tolerance", tolerance, Spec{.text = "limits whose excess ends the program with exit code 4"});
   }
 };

@@ -12,6 +12,7 @@
 
 #include "solver/model/error.hpp"
 #include "solver/model/write_whole.hpp"
+#include "tools/cli/compare_arguments.hpp"
 #include "tools/cli/terminal.hpp"
 #include "tools/pipeline/bench.hpp"
 #include "tools/pipeline/pipeline.hpp"
@@ -132,11 +133,19 @@ void add_check(CLI::App& app, CommonOptions& options) {
 struct CompareArguments {
   std::vector<std::string> files;
   CompareOptions options;
+  HeightUnit height_unit = HeightUnit::metre;
 };
 
-void compare_two(const CompareArguments& arguments, const CommonOptions& options) {
+std::map<std::string, HeightUnit> height_units() {
+  std::map<std::string, HeightUnit> names;
+  for (const auto& [name, unit] : enum_names<HeightUnit>::value) names.emplace(name, unit);
+  return names;
+}
+
+ExitCode compare_two(const CompareArguments& arguments, const CommonOptions& options) {
   DirectComparison request{arguments.files[0], arguments.files[1],
-                           options.output.empty() ? fs::path("compare") : fs::path(options.output), arguments.options};
+                           options.output.empty() ? fs::path("compare") : fs::path(options.output), arguments.options,
+                           arguments.height_unit};
   std::string& name = request.options.name;
   if (name.empty()) name = request.simulated.stem().string() + "_" + request.observed.stem().string();
   if (name.empty() || name[0] == '.' || name.find('/') != std::string::npos)
@@ -144,16 +153,10 @@ void compare_two(const CompareArguments& arguments, const CommonOptions& options
   if (!(request.options.max_distance > 0))
     throw Error("compare", "--max-distance is needed to compare two files", shortest(request.options.max_distance),
                 "above 0 m");
-  const ComparisonReport report = compare_files(request, options.threads);
+  Outcome outcome;
+  const ComparisonReport report = compare_files(request, options.threads, outcome);
   if (!options.quiet) std::printf("%s\n", in_one_line(report).c_str());
-}
-
-/// An option whose values and names are those of the scenario's key.
-template <class E>
-void add_choice(CLI::App& verb, const char* option, E& member, const char* text) {
-  std::map<std::string, E> names;
-  for (const auto& [name, value] : enum_names<E>::value) names.emplace(name, value);
-  verb.add_option(option, member, text)->transform(CLI::CheckedTransformer(names));
+  return conclude(outcome);
 }
 
 void add_compare(CLI::App& app, CommonOptions& options, CompareArguments& arguments, ExitCode& result) {
@@ -162,13 +165,15 @@ void add_compare(CLI::App& app, CommonOptions& options, CompareArguments& argume
   verb->add_option("FILES", arguments.files, "SCENARIO.toml, or a simulated and an observed cloud or frame")
       ->required()
       ->expected(1, 2);
-  add_choice(*verb, "--method", arguments.options.method, "c2c: distance to the nearest point");
-  add_choice(*verb, "--convention", arguments.options.convention, "whose rules decide where programs differ");
-  verb->add_option("--max-distance", arguments.options.max_distance, "beyond it a point has no counterpart, m");
-  verb->add_option("--name", arguments.options.name, "stem of the result files");
+  add_compare_arguments(*verb, arguments.options);
+  verb->add_option("--height-unit", arguments.height_unit, "of the heights in both files (m, ft, us-ft)")
+      ->transform(CLI::CheckedTransformer(height_units()));
   add_common(*verb, options, true);
   verb->callback([&] {
-    if (arguments.files.size() == 2) return compare_two(arguments, options);
+    if (arguments.files.size() == 2) {
+      result = compare_two(arguments, options);
+      return;
+    }
     options.scenario = arguments.files[0];
     Terminal terminal(options.style(), options.quiet);
     Project project = open(options, terminal);

@@ -7,6 +7,7 @@
 
 #include "solver/model/error.hpp"
 #include "tools/compare/c2c.hpp"
+#include "tools/compare/m3c2.hpp"
 
 namespace scarp {
 namespace {
@@ -23,11 +24,15 @@ auto& need(Side& side, const std::string& which, const CompareOptions& options) 
 
 }  // namespace
 
-Comparison compare(ComparedSide simulated, const ComparedSide& observed, const CompareOptions& options, int threads) {
+Comparison compare(ComparedSide simulated, const ComparedSide& observed, const PointCloud* cores,
+                   const CompareOptions& options, int threads) {
   switch (options.method) {
     case CompareMethod::c2c:
       return compare_c2c(std::move(need<PointCloud>(simulated, "simulated", options)),
                          need<PointCloud>(observed, "observed", options), options, threads);
+    case CompareMethod::m3c2:
+      return compare_m3c2(need<PointCloud>(simulated, "simulated", options),
+                          need<PointCloud>(observed, "observed", options), cores, options, threads);
   }
   return {};
 }

@@ -15,7 +15,9 @@ using ComparedSide = std::variant<PointCloud, Heightfield, TriangleMesh>;
 
 /// Holds `simulated` against `observed` by the method of the options. Differences are observed - simulated. The same
 /// bits for any number of threads.
+/// @param cores where m3c2 measures; nullptr: at the simulated points
 /// @throws Error ("compare") where the method cannot take what a side is, or as the methods say.
-Comparison compare(ComparedSide simulated, const ComparedSide& observed, const CompareOptions& options, int threads);
+Comparison compare(ComparedSide simulated, const ComparedSide& observed, const PointCloud* cores,
+                   const CompareOptions& options, int threads);
 
 }  // namespace scarp

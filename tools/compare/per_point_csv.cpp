@@ -33,6 +33,7 @@ void append(std::string& text, double value) {
 std::string per_point_csv(const PointCloud& cloud) {
   std::string text = "x,y,z";
   for (const PointScalar& scalar : cloud.scalars) text += "," + quoted_if_needed(scalar.name);
+  if (!cloud.normals.empty()) text += ",nx,ny,nz";
   text += '\n';
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Vec3 site = cloud.positions[i] + cloud.site.origin;
@@ -44,6 +45,11 @@ std::string per_point_csv(const PointCloud& cloud) {
       text += ',';
       append(text, scalar.values[i]);
     }
+    if (!cloud.normals.empty())
+      for (double c : cloud.normals[i]) {
+        text += ',';
+        append(text, c);
+      }
     text += '\n';
   }
   return text;

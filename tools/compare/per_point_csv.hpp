@@ -8,9 +8,9 @@
 
 namespace scarp {
 
-/// A cloud as text: a header "x,y,z," and the names of the scalars in the cloud's order, then one line per point.
-/// Positions in site coordinates; every number with the fewest digits that read back the same, NaN as "nan". Names with
-/// commas or quotes are quoted (RFC 4180); lines end with a line feed.
+/// A cloud as text: a header "x,y,z," and the names of the scalars in the cloud's order, and "nx,ny,nz" if it has
+/// normals; then one line per point. Positions in site coordinates; every number with the fewest digits that read back
+/// the same, NaN as "nan". Names with commas or quotes are quoted (RFC 4180); lines end with a line feed.
 std::string per_point_csv(const PointCloud& cloud);
 
 }  // namespace scarp

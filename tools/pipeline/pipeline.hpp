@@ -63,9 +63,11 @@ std::vector<std::filesystem::path> synth_scans(Project& project);
 /// report.
 struct DirectComparison {
   std::filesystem::path simulated, observed, output;
-  CompareOptions options;  ///< name and max_distance are required
+  CompareOptions options;                      ///< name and max_distance are required
+  HeightUnit height_unit = HeightUnit::metre;  ///< of both files
 };
-ComparisonReport compare_files(const DirectComparison& request, int threads);
+/// @param outcome takes what exceeds the tolerances
+ComparisonReport compare_files(const DirectComparison& request, int threads, Outcome& outcome);
 
 /// What a comparison found, in one line for a person.
 std::string in_one_line(const ComparisonReport& report);

@@ -104,6 +104,8 @@ std::vector<std::filesystem::path> input_files(const Scenario& scenario) {
     for (const MaterialRule& rule : body.materials)
       if_is<BelowRule>(rule, [&](const BelowRule& below) { files.emplace_back(below.below.path); });
   }
+  for (const CompareOptions& comparison : scenario.compare)
+    if (comparison.m3c2.core_points) files.emplace_back(comparison.m3c2.core_points->path);
   return files;
 }
 

@@ -5,6 +5,7 @@
 
 #include "ingest/localize.hpp"
 #include "ingest/read_cloud.hpp"
+#include "ingest/voxel_thin.hpp"
 #include "ingest/write_las.hpp"
 #include "ingest/write_raster.hpp"
 #include "solver/model/error.hpp"
@@ -35,13 +36,36 @@ void write_comparison(const std::filesystem::path& stem, const Comparison& resul
   write_las(stem.string() + ".las", result.cloud);
 }
 
-/// A frame's free surface, or a cloud file, in local coordinates.
-PointCloud read_either(const std::filesystem::path& path) {
-  if (path.extension() == ".hdf") return free_surface(read_frame(path));
+/// A file in metres, heights included.
+PointCloud read_metric_cloud(const std::filesystem::path& path, HeightUnit height_unit) {
   PointCloud cloud = read_cloud(path);
   if (cloud.empty()) throw Error("compare", path.string() + " holds no points", "0 points", "at least 1");
   require_projected_metres(cloud, path.string());
+  heights_to_metres(cloud, height_unit, path.string());
   return cloud;
+}
+
+/// A frame's free surface, or a cloud file.
+PointCloud read_either(const std::filesystem::path& path, HeightUnit height_unit) {
+  return path.extension() == ".hdf" ? free_surface(read_frame(path)) : read_metric_cloud(path, height_unit);
+}
+
+/// Where m3c2 measures, if not at all the simulated points.
+std::optional<PointCloud> core_points(const CompareOptions& options, const PointCloud& simulated,
+                                      HeightUnit height_unit) {
+  const M3c2Options& m = options.m3c2;
+  if (options.method != CompareMethod::m3c2 || (!m.core_points && m.core_spacing == 0)) return std::nullopt;
+  PointCloud cores = m.core_points ? read_metric_cloud(m.core_points->path, height_unit) : simulated;
+  if (m.core_points)
+    require_same_crs({"the simulated side", m.core_points->path}, {simulated.site.crs, cores.site.crs});
+  if (m.core_spacing > 0) select_points(cores, voxel_thin(cores.positions, {.size = m.core_spacing}));
+  return cores;
+}
+
+Comparison compare_clouds(PointCloud simulated, const PointCloud& observed, const CompareOptions& options,
+                          HeightUnit height_unit, int threads) {
+  const std::optional<PointCloud> cores = core_points(options, simulated, height_unit);
+  return compare(std::move(simulated), observed, cores ? &*cores : nullptr, options, threads);
 }
 
 std::string distance_phrase(const DistanceReport& report) {
@@ -69,8 +93,9 @@ void compare_stage(Project& project, Outcome& outcome) {
   Json reports = Json::array();
   for (const CompareOptions& options : project.scenario.compare) {
     const auto& path = (options.simulated == SimulatedFrame::last ? frames.back() : frames.front()).first;
-    const Comparison result = compare(free_surface(read_frame(path)),
-                                      read_cleaned_scan(project, options.observed, site), options, project.threads);
+    const Comparison result =
+        compare_clouds(free_surface(read_frame(path)), read_cleaned_scan(project, options.observed, site), options,
+                       HeightUnit::metre, project.threads);
     write_comparison(project.artefacts.compared(options.name, ""), result);
     reports.push_back(to_json(result.report));
     project.reporter->note(in_one_line(result.report));
@@ -82,16 +107,19 @@ void compare_stage(Project& project, Outcome& outcome) {
   project.reporter->end();
 }
 
-ComparisonReport compare_files(const DirectComparison& request, int threads) {
+ComparisonReport compare_files(const DirectComparison& request, int threads, Outcome& outcome) {
   const std::string stem = (request.output / request.options.name).string();
+  std::vector<std::filesystem::path> inputs{request.simulated, request.observed};
+  if (request.options.m3c2.core_points) inputs.emplace_back(request.options.m3c2.core_points->path);
   for (const char* extension : {".csv", ".json", ".las"})
-    for (const std::filesystem::path& input : {request.simulated, request.observed})
-      refuse_to_overwrite(input, stem + extension);
-  PointCloud simulated = read_either(request.simulated);
-  const PointCloud observed = read_either(request.observed);
+    for (const std::filesystem::path& input : inputs) refuse_to_overwrite(input, stem + extension);
+  PointCloud simulated = read_either(request.simulated, request.height_unit);
+  const PointCloud observed = read_either(request.observed, request.height_unit);
   require_same_crs({request.simulated.string(), request.observed.string()}, {simulated.site.crs, observed.site.crs});
-  const Comparison result = compare(std::move(simulated), observed, request.options, threads);
+  const Comparison result =
+      compare_clouds(std::move(simulated), observed, request.options, request.height_unit, threads);
   write_comparison(stem, result);
+  within_tolerance(result.report, request.options.tolerance, &outcome.exceeded);
   return result.report;
 }
 

@@ -52,7 +52,8 @@ void resolve_defaults(Scenario& scenario) {
 }
 
 std::string default_name(const CompareOptions& compare) {
-  return std::string(name_of(compare.simulated)) + "_" + compare.observed;
+  const std::string pair = std::string(name_of(compare.simulated)) + "_" + compare.observed;
+  return compare.method == CompareMethod::c2c ? pair : pair + "_" + std::string(name_of(compare.method));
 }
 
 void localize_scenario(Scenario& scenario, const Vec3& origin) { Localizer(origin).move(scenario, Role::plain); }

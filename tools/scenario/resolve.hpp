@@ -13,7 +13,7 @@ namespace scarp {
 /// comparisons, compare.max_distance (ten cells). Applying it twice changes nothing more.
 void resolve_defaults(Scenario& scenario);
 
-/// What a comparison is called that has no name: "last_after".
+/// What a comparison is called that has no name: "last_after", "last_after_m3c2".
 std::string default_name(const CompareOptions& compare);
 
 /// Moves every member of Role::position and Role::elevation from the site's coordinates to local ones by subtracting

@@ -39,6 +39,7 @@ std::string type_name(bool spatial) {
     if constexpr (Choice<Item> || Described<Item>) return "list of tables";
     if constexpr (Enumerated<Item>) return "list of " + type_name<Item>(spatial);
     if constexpr (std::is_same_v<Item, std::string>) return "list of texts";
+    if constexpr (std::is_same_v<Item, double>) return "list of numbers";
     if constexpr (Tuple<Item>) return "list of [" + std::string(std::is_same_v<Item, Vec2> ? "x, y" : "x, y, z") + "]";
   }
   return {};
