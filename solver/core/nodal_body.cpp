@@ -46,7 +46,7 @@ std::vector<std::uint32_t> groups_of(const std::vector<SharedRow>& shared) {
 }  // namespace
 
 NodalBody::NodalBody(const Model& model, TotalBody& body, const kernels::Kernels& chosen)
-    : model_(model), body_(body), kernels_(chosen) {
+    : model_(model), body_(body), kernels_(chosen), average_(!body.since.empty()) {
   const auto laws = kernels_of(model);
   layout_ = lay_out(model, body, laws);
   shared_groups_ = groups_of(layout_.shared);
@@ -223,8 +223,8 @@ void NodalBody::sweep_stress(bool find_speed, int threads) {
     result = {};
     for (const Slab::Run& run : layout_.slabs[s].runs) {
       kernels::StressResult found;
-      kernels_.stress[static_cast<int>(run.law)][layout_.dimension - 2](sweep, &layout_.segments[run.begin],
-                                                                        layout_.segments.data() + run.end, found);
+      kernels_.stress[static_cast<int>(run.law)][layout_.dimension - 2][average_](
+          sweep, &layout_.segments[run.begin], layout_.segments.data() + run.end, found);
       result.largest_speed_squared = std::max(result.largest_speed_squared, found.largest_speed_squared);
       if (result.bad_segment < 0 && found.bad_segment >= 0) result.bad_segment = run.begin + found.bad_segment;
     }
@@ -259,8 +259,8 @@ HistorySample NodalBody::measure(const Vec3& gravity, int threads) const {
   const kernels::StressSweep sweep = stress_sweep_of(const_cast<double*>(history_.data()), false);
   parallel_for(layout_.slabs.size(), threads, [&](std::size_t s) {
     for (const Slab::Run& run : layout_.slabs[s].runs)
-      kernels_.energy[static_cast<int>(run.law)][layout_.dimension - 2](sweep, &layout_.segments[run.begin],
-                                                                        layout_.segments.data() + run.end, found[s]);
+      kernels_.energy[static_cast<int>(run.law)][layout_.dimension - 2][average_](
+          sweep, &layout_.segments[run.begin], layout_.segments.data() + run.end, found[s]);
   });
   for (const kernels::EnergyResult& result : found) {
     sample.strain += result.strain;

@@ -74,11 +74,14 @@ class NodalBody {
   template <int D, class F>
   void scatter_segments(double* const (&field)[3], F&& value) const;
   template <int D>
+  double mean_volume(std::size_t segment, int lane) const;
+  template <int D>
   void write_segment(Particles& particles, std::size_t segment) const;
 
   const Model& model_;
   TotalBody& body_;
   const kernels::Kernels& kernels_;
+  const bool average_;  ///< F-bar, see averaged_stress.hpp
   NodalLayout layout_;
   std::vector<std::uint32_t> shared_groups_;  ///< begins in NodalLayout::shared
   std::vector<kernels::LawParameters> laws_;

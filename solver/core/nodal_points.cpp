@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/core/f_bar.hpp"
 #include "solver/core/law_kernels.hpp"
 #include "solver/core/linear_cell.hpp"
 #include "solver/core/nodal_body.hpp"
@@ -62,7 +63,9 @@ bool stress_is_of_law(const Particles& particles, const std::vector<PreparedLaw>
 }  // namespace
 
 std::optional<std::string> NodalBody::obstacle(const Model& model, const TotalBody& body) {
-  if (!body.since.empty()) return "its cells see their mean volume ratio (anti_locking)";
+  const bool mixed =
+      std::any_of(body.tasks.begin(), body.tasks.end(), [](const CellTask& t) { return t.material < 0; });
+  if (!body.since.empty() && mixed) return "cells of several materials see one mean volume ratio";
   const auto kernels = kernels_of(model);
   const Particles& particles = model.particles;
   for (std::size_t p = body.begin; p < body.end; ++p) {
@@ -132,12 +135,31 @@ void NodalBody::scatter(double* const (&field)[3], const std::function<Vec3(std:
   layout_.dimension == 2 ? scatter_segments<2>(field, value) : scatter_segments<3>(field, value);
 }
 
+/// Mean of det F over the points of a cell, weighted by V0.
+template <int D>
+double NodalBody::mean_volume(std::size_t s, int lane) const {
+  const Segment& segment = layout_.segments[s];
+  typename LinearCell<D>::Values U[D], m;
+  gather<D>(nodes_.U, segment, lane, U);
+  double volume = 0, deformed = 0;
+  for (int place = 0; place < segment.places; ++place) {
+    const std::int64_t p = layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(place * kSegment + lane)];
+    if (p < 0) continue;
+    LinearCell<D>::monomials(place_in_cell(layout_, segment, place, lane), m);
+    const double V0 = model_.particles.reference_volume[static_cast<std::size_t>(p)];
+    volume += V0;
+    deformed += V0 * determinant(gradient<D>(U, m, 1 / layout_.cell));
+  }
+  return volume > 0 ? deformed / volume : 1;
+}
+
 template <int D>
 void NodalBody::write_segment(Particles& particles, std::size_t s) const {
   using Cell = LinearCell<D>;
   const Segment& segment = layout_.segments[s];
   const std::int64_t* slots = &layout_.slots[layout_.slot_begin[s]];
   for (int lane = 0; lane < kSegment; ++lane) {
+    const double J_cell = average_ ? mean_volume<D>(s, lane) : 0;
     typename Cell::Values U[D], W[D], A[D], m;
     bool gathered = false;
     for (int place = 0; place < segment.places; ++place) {
@@ -150,7 +172,8 @@ void NodalBody::write_segment(Particles& particles, std::size_t s) const {
         gathered = true;
       }
       Cell::monomials(place_in_cell(layout_, segment, place, lane), m);
-      const Mat3 F = gradient<D>(U, m, 1 / layout_.cell);
+      Mat3 F = gradient<D>(U, m, 1 / layout_.cell);
+      if (average_) F = dilated<D>(F, dilation<D>(J_cell / determinant(F)));
       const std::size_t in_body = static_cast<std::size_t>(p) - body_.begin;
       const Vec3& v0 = start_velocity_[start_velocity_.size() == 1 ? 0 : in_body];
       for (int d = 0; d < D; ++d) {

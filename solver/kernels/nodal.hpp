@@ -79,7 +79,7 @@ struct StressSweep {
 
 /// What a stress sweep of some segments found.
 struct StressResult {
-  double largest_speed_squared = 0;  ///< of the mean over each cell of c^2, weighted by mass
+  double largest_speed_squared = 0;  ///< of the mean over each cell of c^2
   std::int64_t bad_segment = -1;     ///< the first with a point that has J <= 0 or something not finite
 };
 
@@ -119,11 +119,12 @@ struct EnergyResult {
 struct Kernels {
   const char* name = "";  ///< "x86-64-v4", ...
   int lanes = 1;
-  void (*stress[kLawKinds][2])(const StressSweep&, const Segment*, const Segment*, StressResult&);  ///< [law][D - 2]
-  void (*momentum[2])(const MomentumSweep&, const Segment*, const Segment*);                        ///< [D - 2]
+  /// [law][D - 2][whether laws see the mean volume ratio of their cell]
+  void (*stress[kLawKinds][2][2])(const StressSweep&, const Segment*, const Segment*, StressResult&);
+  void (*momentum[2])(const MomentumSweep&, const Segment*, const Segment*);  ///< [D - 2]
   void (*forces)(const ForceSweep&, std::size_t begin, std::size_t end, ForceResult&);
   void (*velocities)(const VelocitySweep&, std::size_t begin, std::size_t end);
-  void (*energy[kLawKinds][2])(const StressSweep&, const Segment*, const Segment*, EnergyResult&);
+  void (*energy[kLawKinds][2][2])(const StressSweep&, const Segment*, const Segment*, EnergyResult&);
   // Of `count` numbers, a multiple of kSegment; for tests and benchmarks.
   void (*natural_log)(const double* x, double* result, std::size_t count);
   void (*exponential)(const double* x, double* result, std::size_t count);

@@ -63,54 +63,133 @@ SCARP_INLINE void cut_deformation(const Pack (&a)[D][kCorners<D>], const Pack (&
 template <int D>
 struct CellSums {
   Pack corner[D][kCorners<D>];
-  Pack stiffness{};  ///< sum of m c^2
-  Pack mass{};
+  Pack stiffness{};    ///< sum of w c^2
+  Pack mean_stress{};  ///< sum of w s, with averages
+  Pack weight{};       ///< sum of the points' weights w
   Mask bad{};
 };
 
-template <int D, class Law>
+/// F-bar of a point whose cell has the mean volume ratio J_cell (solver/core/averaged_stress.hpp).
+template <int D>
+SCARP_INLINE Deformation<D> averaged(const Deformation<D>& d, Pack J_cell, Pack& scale) {
+  scale = D == 2 ? square_root(J_cell * d.per_J) : cube_root(J_cell * d.per_J);
+  Deformation<D> bar;
+  for_entries<D>([&](int i) { bar.F[i] = scale * d.F[i]; });
+  bar.complete();
+  return bar;
+}
+
+/// Of one point: what is summed over its cell with grad0 phi. Without averages P; with them
+///   J_c (sigma - s I) F^-T = scale P-bar - s J_c / J cof F, and s cof F of the cell's mean s, which comes later.
+template <int D, class Law, bool average>
+SCARP_INLINE void point_stress(const StressSweep& sweep, const Law& law, const Deformation<D>& d, Pack J_cell,
+                               Pack weight, double* history, Pack (&P)[9], CellSums<D>& sums) {
+  sums.bad |= ~(d.J > 0.0) & (weight > 0.0);
+  if constexpr (average) {
+    Pack scale;
+    const Deformation<D> bar = averaged<D>(d, J_cell, scale);
+    law.template stress<D>(bar, history, P);
+    Pack work{};
+    for_entries<D>([&](int i) { work += P[i] * bar.F[i]; });
+    const Pack mean = work / (D * bar.J), factor = mean * J_cell * d.per_J;
+    for_entries<D>([&](int i) { P[i] = scale * P[i] - factor * d.cofactor[i]; });
+    sums.mean_stress += weight * mean;
+    if (sweep.find_speed)
+      sums.stiffness += weight * larger(all(1.0), scale * scale) * law.template speed_squared<D>(bar, history);
+  } else {
+    law.template stress<D>(d, history, P);
+    if (sweep.find_speed) sums.stiffness += weight * law.template speed_squared<D>(d, history);
+  }
+}
+
+template <int D, class Law, bool average>
 SCARP_INLINE void regular_point(const StressSweep& sweep, const Law& law, const Segment& segment, int lane, int point,
-                                const Pack (&g)[D][D][kHalf<D>], Pack (&h)[D][D][kHalf<D>], CellSums<D>& sums) {
+                                Pack J_cell, Pack here, const Pack (&g)[D][D][kHalf<D>], Pack (&h)[D][D][kHalf<D>],
+                                CellSums<D>& sums) {
   Deformation<D> d;
   regular_deformation<D>(g, point, d);
-  double* history = history_of<D, Law>(sweep, segment, point, lane);
   Pack P[9];
-  law.template stress<D>(d, history, P);
+  point_stress<D, Law, average>(sweep, law, d, J_cell, here, history_of<D, Law>(sweep, segment, point, lane), P, sums);
 #pragma GCC unroll 3
   for (int c = 0; c < D; ++c)
 #pragma GCC unroll 3
     for (int axis = 0; axis < D; ++axis) h[c][axis][across<D>(axis, point)] += P[3 * c + axis];
-  sums.bad |= ~(d.J > 0.0);
-  if (sweep.find_speed) sums.stiffness += law.template speed_squared<D>(d, history);
 }
 
-template <int D, class Law>
+/// Mean of det F over the points of regular cells.
+template <int D>
+SCARP_INLINE Pack regular_mean_volume(const Pack (&g)[D][D][kHalf<D>]) {
+  Pack J{};
+#pragma GCC unroll 1
+  for (int point = 0; point < kCorners<D>; ++point) {
+    Deformation<D> d;
+    regular_deformation<D>(g, point, d);
+    J += d.J;
+  }
+  return J * (1.0 / kCorners<D>);
+}
+
+template <int D, class Law, bool average>
 SCARP_INLINE void regular_cells(const StressSweep& sweep, const Law& law, const Segment& segment, int lane,
                                 CellSums<D>& sums) {
   Pack u[D][kCorners<D>], g[D][D][kHalf<D>], h[D][D][kHalf<D>] = {};
   gather_displacement<D>(sweep, segment, lane, kRegularFactor<D> * sweep.per_cell, u);
   for (int c = 0; c < D; ++c) regular_gradient<D>(u[c], g[c]);
-  if constexpr (Law::light) {
+  const double* points = sweep.points + segment.points + lane;
+  const Pack V0 = load(points + kSegment), here = choose(V0 > 0.0, all(1.0 / kCorners<D>), Pack{});
+  const Pack J_cell = average ? regular_mean_volume<D>(g) : Pack{};
+  if constexpr (Law::light && !average) {
 #pragma GCC unroll 8
-    for (int point = 0; point < kCorners<D>; ++point) regular_point<D>(sweep, law, segment, lane, point, g, h, sums);
+    for (int point = 0; point < kCorners<D>; ++point)
+      regular_point<D, Law, average>(sweep, law, segment, lane, point, J_cell, here, g, h, sums);
   } else {
 #pragma GCC unroll 1
-    for (int point = 0; point < kCorners<D>; ++point) regular_point<D>(sweep, law, segment, lane, point, g, h, sums);
+    for (int point = 0; point < kCorners<D>; ++point)
+      regular_point<D, Law, average>(sweep, law, segment, lane, point, J_cell, here, g, h, sums);
   }
-  const double* points = sweep.points + segment.points + lane;
-  sums.mass = load(points);
-  const Pack V0 = load(points + kSegment), factor = V0 * (-kRegularFactor<D> * sweep.per_cell);
+  if constexpr (average) {
+#pragma GCC unroll 1
+    for (int point = 0; point < kCorners<D>; ++point) {
+      Deformation<D> d;
+      regular_deformation<D>(g, point, d);
+#pragma GCC unroll 3
+      for (int c = 0; c < D; ++c)
+#pragma GCC unroll 3
+        for (int axis = 0; axis < D; ++axis)
+          h[c][axis][across<D>(axis, point)] += sums.mean_stress * d.cofactor[3 * c + axis];
+    }
+  }
+  const Pack factor = V0 * (-kRegularFactor<D> * sweep.per_cell);
   for (int c = 0; c < D; ++c) {
     regular_divergence<D>(h[c], sums.corner[c]);
 #pragma GCC unroll 8
     for (int k = 0; k < kCorners<D>; ++k) sums.corner[c][k] *= factor;
   }
-  sums.stiffness *= choose(sums.mass > 0.0, all(1.0 / kCorners<D>), Pack{});
-  sums.mass = all(1.0);
-  sums.bad &= V0 > 0.0;
+  sums.weight = all(1.0);
 }
 
-template <int D, class Law>
+/// Mean of det F over the points of cut cells, weighted by V0.
+template <int D>
+SCARP_INLINE Pack cut_mean_volume(const StressSweep& sweep, const Segment& segment, int lane,
+                                  const Pack (&a)[D][kCorners<D>], Pack& volume) {
+  Pack J{};
+  volume = Pack{};
+#pragma GCC unroll 1
+  for (int place = 0; place < segment.places; ++place) {
+    const double* point = sweep.points + segment.points + place * ((D + 2) * kSegment) + lane;
+    Pack m[kCorners<D>];
+    monomials<D>(point, m);
+    Deformation<D> d;
+    cut_deformation<D>(a, m, d);
+    const Pack V0 = load(point + D * kSegment);
+    J += V0 * d.J;
+    volume += V0;
+  }
+  volume = choose(volume > 0.0, volume, all(1.0));
+  return choose(J != 0.0, J / volume, all(1.0));
+}
+
+template <int D, class Law, bool average>
 SCARP_INLINE void cut_cells(const StressSweep& sweep, const Law& law, const Segment& segment, int lane,
                             CellSums<D>& sums) {
   Pack a[D][kCorners<D>];
@@ -119,29 +198,39 @@ SCARP_INLINE void cut_cells(const StressSweep& sweep, const Law& law, const Segm
     to_monomials<D>(a[c]);
     for (int k = 0; k < kCorners<D>; ++k) sums.corner[c][k] = Pack{};
   }
+  Pack J_cell{}, volume = all(1.0);
+  if constexpr (average) J_cell = cut_mean_volume<D>(sweep, segment, lane, a, volume);
+  const auto each_point = [&](auto&& stress_of) {
 #pragma GCC unroll 1
-  for (int place = 0; place < segment.places; ++place) {
-    const double* point = sweep.points + segment.points + place * ((D + 2) * kSegment) + lane;
-    Pack m[kCorners<D>], P[9];
-    monomials<D>(point, m);
-    const Pack V0 = load(point + D * kSegment), factor = -V0 * sweep.per_cell;
-    Deformation<D> d;
-    cut_deformation<D>(a, m, d);
-    double* history = history_of<D, Law>(sweep, segment, place, lane);
-    law.template stress<D>(d, history, P);
+    for (int place = 0; place < segment.places; ++place) {
+      const double* point = sweep.points + segment.points + place * ((D + 2) * kSegment) + lane;
+      Pack m[kCorners<D>], P[9];
+      monomials<D>(point, m);
+      const Pack V0 = load(point + D * kSegment), factor = -V0 * sweep.per_cell;
+      Deformation<D> d;
+      cut_deformation<D>(a, m, d);
+      stress_of(place, point, V0, d, P);
 #pragma GCC unroll 3
-    for (int c = 0; c < D; ++c)
+      for (int c = 0; c < D; ++c)
 #pragma GCC unroll 3
-      for (int axis = 0; axis < D; ++axis) add_derivative<D>(sums.corner[c], m, axis, factor * P[3 * c + axis]);
-    sums.bad |= ~(d.J > 0.0) & (V0 > 0.0);
-    if (sweep.find_speed) {
-      const Pack mass = load(point + (D + 1) * kSegment);
-      sums.stiffness += mass * law.template speed_squared<D>(d, history);
-      sums.mass += mass;
+        for (int axis = 0; axis < D; ++axis) add_derivative<D>(sums.corner[c], m, axis, factor * P[3 * c + axis]);
     }
+  };
+  each_point([&](int place, const double* point, Pack V0, const Deformation<D>& d,
+                 Pack(&P)[9]) __attribute__((always_inline)) {
+    // Averages go by volume, the stiffness of a cell by mass: the two differ in their unit alone where a
+    // segment is of one law, as all are.
+    (void)point;
+    point_stress<D, Law, average>(sweep, law, d, J_cell, V0, history_of<D, Law>(sweep, segment, place, lane), P, sums);
+    sums.weight += V0;
+  });
+  if constexpr (average) {
+    const Pack mean = sums.mean_stress / volume;
+    each_point([&](int, const double*, Pack, const Deformation<D>& d, Pack(&P)[9])
+                   __attribute__((always_inline)) { for_entries<D>([&](int i) { P[i] = mean * d.cofactor[i]; }); });
   }
   for (int c = 0; c < D; ++c) to_corners<D>(sums.corner[c]);
-  sums.mass = choose(sums.mass > 0.0, sums.mass, all(1.0));
+  sums.weight = choose(sums.weight > 0.0, sums.weight, all(1.0));
 }
 
 /// Lanes in which some sum is not finite.
@@ -153,7 +242,7 @@ SCARP_INLINE Mask not_finite(const CellSums<D>& sums) {
   return ~((t - t) == 0.0);
 }
 
-template <int D, class Law>
+template <int D, class Law, bool average>
 void stress_sweep(const StressSweep& sweep, const Segment* begin, const Segment* end, StressResult& result) {
   RowSums<D> rows(sweep.nodes.sum);
   Pack fastest{};
@@ -163,11 +252,11 @@ void stress_sweep(const StressSweep& sweep, const Segment* begin, const Segment*
     for (int lane = 0; lane < kSegment; lane += kLanes) {
       CellSums<D> sums;
       if (segment->kind == CellKind::regular)
-        regular_cells<D>(sweep, law, *segment, lane, sums);
+        regular_cells<D, Law, average>(sweep, law, *segment, lane, sums);
       else
-        cut_cells<D>(sweep, law, *segment, lane, sums);
+        cut_cells<D, Law, average>(sweep, law, *segment, lane, sums);
       for (int c = 0; c < D; ++c) rows.give(c, lane, sums.corner[c]);
-      fastest = larger(fastest, sums.stiffness / sums.mass);
+      fastest = larger(fastest, sums.stiffness / sums.weight);
       if (any(sums.bad | not_finite(sums)) && result.bad_segment < 0) result.bad_segment = segment - begin;
     }
   }
@@ -176,7 +265,7 @@ void stress_sweep(const StressSweep& sweep, const Segment* begin, const Segment*
   if (found > result.largest_speed_squared) result.largest_speed_squared = found;
 }
 
-template <int D, class Law>
+template <int D, class Law, bool average>
 void energy_sweep(const StressSweep& sweep, const Segment* begin, const Segment* end, EnergyResult& result) {
   Pack strain{}, plastic{};
   for (const Segment* segment = begin; segment != end; ++segment) {
@@ -191,6 +280,9 @@ void energy_sweep(const StressSweep& sweep, const Segment* begin, const Segment*
         else
           to_monomials<D>(u[c]);
       const double* points = sweep.points + segment->points + lane;
+      Pack J_cell{}, volume;
+      if constexpr (average)
+        J_cell = regular ? regular_mean_volume<D>(g) : cut_mean_volume<D>(sweep, *segment, lane, u, volume);
 #pragma GCC unroll 1
       for (int place = 0; place < segment->places; ++place) {
         Deformation<D> d;
@@ -206,6 +298,10 @@ void energy_sweep(const StressSweep& sweep, const Segment* begin, const Segment*
           cut_deformation<D>(u, m, d);
         }
         const double* history = history_of<D, Law>(sweep, *segment, place, lane);
+        if constexpr (average) {
+          Pack scale;
+          d = averaged<D>(d, J_cell, scale);
+        }
         strain += V0 * law.template energy<D>(d, history);
         plastic += V0 * Law::template plastic_work<D>(history);
       }
@@ -326,10 +422,14 @@ double multiply_add(std::int64_t rounds) {
 template <class Law>
 void enter(scarp::kernels::Kernels& kernels, scarp::kernels::LawKind kind) {
   const int k = static_cast<int>(kind);
-  kernels.stress[k][0] = stress_sweep<2, Law>;
-  kernels.stress[k][1] = stress_sweep<3, Law>;
-  kernels.energy[k][0] = energy_sweep<2, Law>;
-  kernels.energy[k][1] = energy_sweep<3, Law>;
+  kernels.stress[k][0][0] = stress_sweep<2, Law, false>;
+  kernels.stress[k][0][1] = stress_sweep<2, Law, true>;
+  kernels.stress[k][1][0] = stress_sweep<3, Law, false>;
+  kernels.stress[k][1][1] = stress_sweep<3, Law, true>;
+  kernels.energy[k][0][0] = energy_sweep<2, Law, false>;
+  kernels.energy[k][0][1] = energy_sweep<2, Law, true>;
+  kernels.energy[k][1][0] = energy_sweep<3, Law, false>;
+  kernels.energy[k][1][1] = energy_sweep<3, Law, true>;
 }
 
 }  // namespace

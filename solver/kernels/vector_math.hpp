@@ -64,5 +64,14 @@ SCARP_INLINE Pack exponential(Pack x) {
   return from_bits(bits(series) + (n << 52));
 }
 
+/// x^(1/3) for x > 0, near one by its series and two of Newton's steps.
+SCARP_INLINE Pack cube_root(Pack x) {
+  const Pack f = x - 1.0;
+  if (any(~(magnitude(f) < 0.1))) return exponential(natural_log(x) * (1.0 / 3));
+  Pack y = 1.0 + f * (1.0 / 3 + f * (-1.0 / 9 + f * (5.0 / 81 - f * (10.0 / 243))));
+  for (int i = 0; i < 2; ++i) y -= (y * y * y - x) / (3.0 * y * y);
+  return y;
+}
+
 }  // namespace
 }  // namespace SCARP_KERNELS

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "solver/core/formulations.hpp"
 #include "solver/core/make_frame.hpp"
 #include "solver/core/run.hpp"
-#include "solver/core/formulations.hpp"
 #include "tests/bench/textbook.hpp"
 #include "tools/pipeline/stopwatch.hpp"
 
@@ -43,9 +43,9 @@ struct Case {
   ShapeFunction shape = ShapeFunction::linear;
   BackEnd back_end = BackEnd::nodal;
   bool jittered = false;
-  double shear = 0;   ///< 1/s, of the velocity at the start: how far a history law is driven
-  double flops = 0;   ///< per particle-step
-  double bytes = 0;   ///< per particle-step: nodes, and history where there is one
+  double shear = 0;  ///< 1/s, of the velocity at the start: how far a history law is driven
+  double flops = 0;  ///< per particle-step
+  double bytes = 0;  ///< per particle-step: nodes, and history where there is one
   bool whole_run = false;
 };
 
@@ -65,17 +65,22 @@ std::vector<Case> all_cases() {
   cases.push_back({.name = "TL Mohr-Coulomb, elastic", .law = soil(1e9), .shear = 1, .bytes = 47 + 64});
   cases.push_back({.name = "TL Mohr-Coulomb, yielding", .law = soil(1e3), .shear = 10, .bytes = 47 + 128});
   cases.push_back({.name = "TL Drucker-Prager, yielding", .law = cone, .shear = 10, .bytes = 47 + 128});
-  cases.push_back({.name = "TL von Mises, yielding", .law = VonMises{{1900, 20e6, 0.3}, 1e3}, .shear = 10, .bytes = 47 + 128});
+  cases.push_back(
+      {.name = "TL von Mises, yielding", .law = VonMises{{1900, 20e6, 0.3}, 1e3}, .shear = 10, .bytes = 47 + 128});
   cases.push_back({.name = "TL Mohr-Coulomb, yielding, plane strain", .dimension = 2, .law = soil(1e3), .shear = 10});
   cases.push_back({.name = "UL linear", .law = rubber, .formulation = updated});
-  cases.push_back({.name = "UL quadratic B-spline", .law = rubber, .formulation = updated, .shape = ShapeFunction::quadratic_bspline});
+  cases.push_back({.name = "UL quadratic B-spline",
+                   .law = rubber,
+                   .formulation = updated,
+                   .shape = ShapeFunction::quadratic_bspline});
   return cases;
 }
 
 /// A block of whole cells of one metre, 2^dimension points in each, one cell away from the faces of the domain.
 Model block(const Case& c, std::int64_t particles) {
-  const int per_axis = std::max(4, static_cast<int>(std::lround(std::pow(
-                                       static_cast<double>(particles) / (1 << c.dimension), 1.0 / c.dimension))));
+  const int per_axis = std::max(
+      4,
+      static_cast<int>(std::lround(std::pow(static_cast<double>(particles) / (1 << c.dimension), 1.0 / c.dimension))));
   Model model;
   const double end = per_axis + 4;
   model.domain = {c.dimension, 1, {0, 0, 0}, {end, end, c.dimension == 3 ? end : 0}, {}};
@@ -139,7 +144,8 @@ struct FrameMaker : FrameSink {
   std::size_t points = 0;
 };
 
-/// Per step of a whole run of 800: a fixed base and rollers, adapted steps, energies every 20 and a frame every 200; reading, laying out and the first state included.
+/// Per step of a whole run of 800: a fixed base and rollers, adapted steps, energies every 20 and a frame every 200;
+/// reading, laying out and the first state included.
 Times time_run(const Case& c, const BenchOptions& options, const kernels::Kernels& kernels, int threads,
                std::size_t& particles) {
   Model model = block(c, options.particles);
@@ -162,16 +168,15 @@ Times time_run(const Case& c, const BenchOptions& options, const kernels::Kernel
 }
 
 double time_textbook(int dimension, bool updated, const BenchOptions& options) {
-  const int n = static_cast<int>(std::lround(
-      std::pow(static_cast<double>(options.particles) / (1 << dimension), 1.0 / dimension)));
+  const int n = static_cast<int>(
+      std::lround(std::pow(static_cast<double>(options.particles) / (1 << dimension), 1.0 / dimension)));
   const NeoHookean rubber{{1900, 20e6, 0.3}};
   textbook::Block block(dimension, n, 2, 1900, rubber.shear_modulus(), rubber.lambda());
   for (textbook::Particle& p : block.particles) p.v[0] = 0.01 * std::sin(p.X[1]);
   const double gravity[3] = {0, dimension == 2 ? -9.81 : 0, dimension == 3 ? -9.81 : 0};
   const double dt = 0.4 / rubber.wave_speed();
-  const Times times = fastest(std::min(options.steps, 5), [&] {
-    updated ? block.step_updated(dt, gravity) : block.step_total(dt, gravity);
-  });
+  const Times times = fastest(std::min(options.steps, 5),
+                              [&] { updated ? block.step_updated(dt, gravity) : block.step_total(dt, gravity); });
   return 1e9 * times.processor / static_cast<double>(block.particles.size());
 }
 
@@ -195,8 +200,11 @@ BenchRow row_of(const Case& c, const BenchOptions& options, const BenchReport& r
   std::size_t particles = 0;
   const Times times = c.whole_run ? time_run(c, options, kernels, threads, particles)
                                   : time_steps(c, options, kernels, threads, particles);
-  BenchRow row{.name = c.name, .kernels = kernels.name, .threads = threads,
-               .particles = static_cast<std::int64_t>(particles), .reference = ""};
+  BenchRow row{.name = c.name,
+               .kernels = kernels.name,
+               .threads = threads,
+               .particles = static_cast<std::int64_t>(particles),
+               .reference = ""};
   row.processor_ns = 1e9 * times.processor / static_cast<double>(particles);
   row.wall_ns = 1e9 * times.wall / static_cast<double>(particles);
   const bool updated = c.formulation == Formulation::updated_lagrangian;

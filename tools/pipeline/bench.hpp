@@ -12,7 +12,7 @@ namespace scarp {
 
 struct BenchOptions {
   std::int64_t particles = 1'000'000;
-  int steps = 12;              ///< timed, after one that is not; the fastest counts
+  int steps = 12;  ///< timed, after one that is not; the fastest counts
   std::vector<int> threads{1};
   std::vector<const kernels::Kernels*> kernels{&kernels::best_kernels()};
   std::string only;  ///< cases whose name holds this text; empty: all
@@ -24,18 +24,18 @@ struct BenchRow {
   std::string kernels;
   int threads = 1;
   std::int64_t particles = 0;
-  double processor_ns = 0;      ///< per particle-step, all threads together
-  double wall_ns = 0;           ///< per particle-step
-  double ratio = 0;             ///< textbook's processor time over this one's; 0: none
-  std::string reference;        ///< which textbook case
-  double share_of_peak = 0;     ///< of the multiply-add peak of the same kernels; 0: flops not counted
-  double share_of_stream = 0;   ///< of the memory stream, for the bytes that the case must move; 0: not counted
+  double processor_ns = 0;     ///< per particle-step, all threads together
+  double wall_ns = 0;          ///< per particle-step
+  double ratio = 0;            ///< textbook's processor time over this one's; 0: none
+  std::string reference;       ///< which textbook case
+  double share_of_peak = 0;    ///< of the multiply-add peak of the same kernels; 0: flops not counted
+  double share_of_stream = 0;  ///< of the memory stream, for the bytes that the case must move; 0: not counted
 };
 
 struct BenchReport {
   std::vector<BenchRow> rows;
   std::vector<std::pair<std::string, double>> peak_gflops;  ///< per instruction set, one thread
-  double stream_gb_per_s = 0;                                ///< read and written in place, one thread
+  double stream_gb_per_s = 0;                               ///< read and written in place, one thread
   double textbook_total_ns = 0, textbook_total_2d_ns = 0, textbook_updated_ns = 0;
 };
 
