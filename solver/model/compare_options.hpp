@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "solver/model/c2c_options.hpp"
 #include "solver/model/m3c2_options.hpp"
 #include "solver/model/schema.hpp"
 
@@ -20,11 +21,11 @@ struct enum_names<SimulatedFrame> {
 };
 
 /// How two surfaces are held against each other.
-enum class CompareMethod { c2c, m3c2 };
+enum class CompareMethod { c2c, m3c2, c2m };
 template <>
 struct enum_names<CompareMethod> {
-  static constexpr std::array<std::pair<std::string_view, CompareMethod>, 2> value{
-      {{"c2c", CompareMethod::c2c}, {"m3c2", CompareMethod::m3c2}}};
+  static constexpr std::array<std::pair<std::string_view, CompareMethod>, 3> value{
+      {{"c2c", CompareMethod::c2c}, {"m3c2", CompareMethod::m3c2}, {"c2m", CompareMethod::c2m}}};
 };
 
 /// Whose rules decide where programs of the field differ.
@@ -63,6 +64,7 @@ struct CompareOptions {
   double max_distance = 0;
   double registration_error = 0;
   double simulated_spacing = 0;
+  C2cOptions c2c;
   M3c2Options m3c2;
   CompareTolerance tolerance;
 
@@ -88,6 +90,7 @@ struct CompareOptions {
                    "standard error is at least this / sqrt(12); 0: the simulated side is a scan too",
            .unit = "m",
            .at_least = 0});
+    v("c2c", c2c, Spec{.text = "what method c2c measures to"});
     v("m3c2", m3c2, Spec{.text = "how method m3c2 takes normals and averages"});
     v("tolerance", tolerance, Spec{.text = "limits whose excess ends the program with exit code 4"});
   }

@@ -7,6 +7,7 @@
 
 #include "solver/model/error.hpp"
 #include "tools/compare/c2c.hpp"
+#include "tools/compare/c2m.hpp"
 #include "tools/compare/m3c2.hpp"
 
 namespace scarp {
@@ -33,6 +34,9 @@ Comparison compare(ComparedSide simulated, const ComparedSide& observed, const P
     case CompareMethod::m3c2:
       return compare_m3c2(need<PointCloud>(simulated, "simulated", options),
                           need<PointCloud>(observed, "observed", options), cores, options, threads);
+    case CompareMethod::c2m:
+      return compare_c2m(std::move(need<PointCloud>(simulated, "simulated", options)),
+                         need<TriangleMesh>(observed, "observed", options), options, threads);
   }
   return {};
 }

@@ -97,6 +97,14 @@ Normal NormalSearch::at(const Vec3& point, std::vector<Vec3>& scratch) const {
   return best;
 }
 
+std::optional<Vec3> plane_normal(const std::vector<Vec3>& points) {
+  Sym6 covariance;
+  if (!scatter(points, INFINITY, true, covariance)) return std::nullopt;
+  const Shape shape = shape_of(covariance);
+  if (!(flatness(shape.values, ScaleChoice::planarity) > 0)) return std::nullopt;
+  return shape.flat;
+}
+
 Vec3 oriented(const Vec3& direction, const Vec3& at, NormalSide side, const Vec3& viewpoint) {
   Vec3 wanted{0, 0, 0};
   switch (side) {

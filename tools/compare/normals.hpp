@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "ingest/neighbours/point_tree.hpp"
@@ -45,6 +46,9 @@ class NormalSearch {
   NormalRules rules_;
   double largest_ = 0;
 };
+
+/// The normal of a few points, of either sign; nothing where a neighbourhood would have none.
+std::optional<Vec3> plane_normal(const std::vector<Vec3>& points);
 
 /// The direction with the sign that the side asks for: non-negative towards it. On the border the sign stays.
 Vec3 oriented(const Vec3& direction, const Vec3& at, NormalSide side, const Vec3& viewpoint);

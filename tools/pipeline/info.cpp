@@ -116,6 +116,12 @@ bool holds_raster(const std::filesystem::path& file) {
   return is_raster(std::string_view(start).substr(0, static_cast<std::size_t>(in.gcount())));
 }
 
+std::string lower_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
 bool has_faces(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::string line;
@@ -126,20 +132,24 @@ bool has_faces(const std::filesystem::path& file) {
 
 }  // namespace
 
+bool holds_mesh(const std::filesystem::path& file) {
+  const std::string extension = lower_extension(file);
+  return extension == ".obj" || extension == ".stl" || (starts_with(file, "ply") && has_faces(file));
+}
+
 std::string file_info(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file)) throw Error("info", file.string() + " is a folder", "", "a file");
   // A pipe would keep the program waiting for ever.
   if (std::filesystem::exists(file) && !std::filesystem::is_regular_file(file))
     throw Error("info", file.string() + " is not an ordinary file");
   if (!std::ifstream(file)) throw Error("info", "cannot read " + file.string(), "no such file or no permission");
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lower_extension(file);
   std::string text;
   if (extension == ".hdf") {
     text = is_model_file(file) ? model_info(read_model(file)) : frame_info(read_frame(file));
   } else if (starts_with(file, "LASF")) {
     text = las_info(read_las_header(file));
-  } else if (extension == ".obj" || extension == ".stl" || (starts_with(file, "ply") && has_faces(file))) {
+  } else if (holds_mesh(file)) {
     text = mesh_info(read_mesh(file));
   } else if (holds_raster(file)) {
     text = raster_info(read_raster(file));

@@ -56,6 +56,9 @@ std::vector<std::string> check_project(Project& project);
 /// What files hold, for `scarp info`; one text per file.
 std::string file_info(const std::filesystem::path& file);
 
+/// Whether a file is a triangle mesh: OBJ, STL, or PLY with faces.
+bool holds_mesh(const std::filesystem::path& file);
+
 /// Makes each synthetic scan of the scenario: NAME.las and NAME_truth.asc in the output folder. Returns the files.
 std::vector<std::filesystem::path> synth_scans(Project& project);
 

@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "discretize/plane_geometry_cgal.hpp"
 #include "ingest/localize.hpp"
 #include "ingest/read_cloud.hpp"
+#include "ingest/read_mesh.hpp"
 #include "ingest/voxel_thin.hpp"
 #include "ingest/write_las.hpp"
 #include "ingest/write_raster.hpp"
@@ -62,10 +64,34 @@ std::optional<PointCloud> core_points(const CompareOptions& options, const Point
   return cores;
 }
 
+/// A scan as a surface z(x, y) with its normals up.
+TriangleMesh triangulated(const PointCloud& cloud) {
+  Tin tin = triangulate(cloud.positions, 0);
+  return {std::move(tin.points), std::move(tin.triangles), cloud.site};
+}
+
 Comparison compare_clouds(PointCloud simulated, const PointCloud& observed, const CompareOptions& options,
                           HeightUnit height_unit, int threads) {
+  if (options.method == CompareMethod::c2m)
+    return compare(std::move(simulated), triangulated(observed), nullptr, options, threads);
   const std::optional<PointCloud> cores = core_points(options, simulated, height_unit);
   return compare(std::move(simulated), observed, cores ? &*cores : nullptr, options, threads);
+}
+
+/// Heights in the unit of the request; meshes say nothing of theirs, nor of their reference system.
+TriangleMesh read_metric_mesh(const DirectComparison& request) {
+  TriangleMesh mesh = read_mesh(request.observed);
+  PointCloud vertices;
+  vertices.positions = std::move(mesh.vertices);
+  heights_to_metres(vertices, request.height_unit, request.observed.string());
+  mesh.vertices = std::move(vertices.positions);
+  return mesh;
+}
+
+ComparisonReport finish(const Comparison& result, const DirectComparison& request, Outcome& outcome) {
+  write_comparison(request.output / request.options.name, result);
+  within_tolerance(result.report, request.options.tolerance, &outcome.exceeded);
+  return result.report;
 }
 
 std::string distance_phrase(const DistanceReport& report) {
@@ -114,13 +140,13 @@ ComparisonReport compare_files(const DirectComparison& request, int threads, Out
   for (const char* extension : {".csv", ".json", ".las"})
     for (const std::filesystem::path& input : inputs) refuse_to_overwrite(input, stem + extension);
   PointCloud simulated = read_either(request.simulated, request.height_unit);
+  if (request.options.method == CompareMethod::c2m && holds_mesh(request.observed))
+    return finish(compare(std::move(simulated), read_metric_mesh(request), nullptr, request.options, threads), request,
+                  outcome);
   const PointCloud observed = read_either(request.observed, request.height_unit);
   require_same_crs({request.simulated.string(), request.observed.string()}, {simulated.site.crs, observed.site.crs});
-  const Comparison result =
-      compare_clouds(std::move(simulated), observed, request.options, request.height_unit, threads);
-  write_comparison(stem, result);
-  within_tolerance(result.report, request.options.tolerance, &outcome.exceeded);
-  return result.report;
+  return finish(compare_clouds(std::move(simulated), observed, request.options, request.height_unit, threads), request,
+                outcome);
 }
 
 std::string in_one_line(const ComparisonReport& report) {
