@@ -42,6 +42,7 @@ const std::vector<std::pair<std::string, std::set<std::string>>> kOwners{
     {"hdf5", {"solver/store"}},
     {"H5", {"solver/store"}},
     {"toml", {"tools/scenario"}},
+    {"muParser", {"tools/scenario"}},
     {"nlohmann/", {"tools/pipeline", "tools/report"}},
     {"openssl/", {"tools/pipeline"}},
     {"CLI/", {"tools/cli"}},

@@ -116,7 +116,12 @@ void check_options(const OutputOptions& options) {
 
 void check_formulations(const Model& model, const SolverOptions& options) {
   for (const Body& body : model.bodies) {
-    if (body.formulation != Formulation::total_lagrangian) continue;
+    if (body.formulation != Formulation::total_lagrangian) {
+      if (!options.body_force.empty() || model.body_force)
+        refuse("body_force with updated-Lagrangian body '" + body.name + "'", "given",
+               "none: it acts on total-Lagrangian bodies only");
+      continue;
+    }
     if (options.update != UpdateOrder::musl)
       refuse("update of total-Lagrangian body '" + body.name + "'", std::string(name_of(options.update)),
              "musl; or formulation = \"updated-lagrangian\" for the body");

@@ -43,7 +43,15 @@ HistorySample measure_block(const Particles& particles, const std::vector<Prepar
 
 }  // namespace
 
-Diagnostics::Diagnostics(std::size_t particles) : blocks_((particles + kReductionBlock - 1) / kReductionBlock) {}
+Diagnostics::Diagnostics(const Particles& particles)
+    : blocks_((particles.size() + kReductionBlock - 1) / kReductionBlock) {
+  Vec3 moment{0, 0, 0};
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    mass_ += particles.mass[p];
+    moment = moment + particles.mass[p] * particles.reference_position[p];
+  }
+  reference_centre_ = (1 / mass_) * moment;
+}
 
 HistorySample Diagnostics::measure(const Model& model, const std::vector<PreparedLaw>& laws, const Vec3& gravity,
                                    int threads) {
@@ -56,6 +64,24 @@ HistorySample Diagnostics::measure(const Model& model, const std::vector<Prepare
   for (const HistorySample& block : blocks_) add(sum, block);
   sum.total = sum.kinetic + sum.strain + sum.plastic + sum.potential;
   return sum;
+}
+
+void Diagnostics::add_motion(HistorySample& sample, const Particles& particles, int threads) {
+  parallel_for(blocks_.size(), threads, [&](std::size_t b) {
+    HistorySample& block = blocks_[b] = {};
+    for (std::size_t p = b * kReductionBlock; p < std::min(particles.size(), (b + 1) * kReductionBlock); ++p) {
+      const Vec3 moment = particles.mass[p] * (particles.position[p] - reference_centre_);
+      block.angular_momentum = block.angular_momentum + cross(moment, particles.velocity[p]);
+      block.centre = block.centre + moment;
+    }
+  });
+  Vec3 moment{0, 0, 0};
+  sample.angular_momentum = {0, 0, 0};
+  for (const HistorySample& block : blocks_) {
+    sample.angular_momentum = sample.angular_momentum + block.angular_momentum;
+    moment = moment + block.centre;
+  }
+  sample.centre = reference_centre_ + (1 / mass_) * moment;
 }
 
 void add(HistorySample& sum, const HistorySample& part) {

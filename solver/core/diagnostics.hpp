@@ -14,11 +14,17 @@ namespace scarp {
 /// Blocks of particles are summed in a fixed order: the same bits for any number of threads.
 class Diagnostics {
  public:
-  explicit Diagnostics(std::size_t particles);
+  explicit Diagnostics(const Particles& particles);
   HistorySample measure(const Model& model, const std::vector<PreparedLaw>& laws, const Vec3& gravity, int threads);
+  /// Angular momentum and centre of mass, of the particles' positions and velocities as they stand.
+  void add_motion(HistorySample& sample, const Particles& particles, int threads);
+  /// Centre of mass of the reference configuration, m: the point that angular momentum is taken about.
+  const Vec3& reference_centre() const { return reference_centre_; }
 
  private:
   std::vector<HistorySample> blocks_;
+  Vec3 reference_centre_{0, 0, 0};
+  double mass_ = 0;
 };
 
 /// Adds what is a sum over particles.

@@ -7,6 +7,7 @@
 #include "solver/core/check_model.hpp"
 #include "solver/core/diagnostics.hpp"
 #include "solver/core/reference_grid.hpp"
+#include "solver/model/error.hpp"
 
 namespace scarp {
 
@@ -24,6 +25,27 @@ double Formulations::stable_time_step() const {
   if (!total_) return updated_->stable_time_step();
   if (!updated_) return total_->stable_time_step();
   return std::min(total_->stable_time_step(), updated_->stable_time_step());
+}
+
+StepLimit Formulations::step_limit() {
+  write_particles();
+  StepLimit limit;
+  if (total_) limit = total_->step_limit();
+  if (updated_ && (!total_ || updated_->stable_time_step() < limit.time_step)) limit = updated_->step_limit();
+  limit.time = time_;
+  return limit;
+}
+
+Failure Formulations::collapse(const std::string& what) {
+  const StepLimit limit = step_limit();
+  Failure failure{.what = what + " to " + shortest(limit.time_step) + " s"};
+  if (limit.body < 0) return failure;
+  failure.what += ": body '" + model_.bodies[limit.body].name + "', material '" +
+                  model_.materials[limit.material].name + "', wave speed " + shortest(limit.wave_speed) + " m/s";
+  if (limit.particle_speed > 0) failure.what += ", particle speed " + shortest(limit.particle_speed) + " m/s";
+  failure.particle = limit.particle;
+  failure.position = limit.position;
+  return failure;
 }
 
 std::int64_t Formulations::step(double dt) {
@@ -70,9 +92,16 @@ void Formulations::write_particles() {
 }
 
 HistorySample Formulations::measure(Diagnostics& diagnostics) {
-  if (total_ && !updated_ && total_->all_nodal()) return total_->measure();
-  write_particles();
-  return diagnostics.measure(model_, laws(), gravity(), threads_);
+  HistorySample sample;
+  if (total_ && !updated_ && total_->all_nodal()) {
+    sample = total_->measure();
+    total_->write_motion();
+  } else {
+    write_particles();
+    sample = diagnostics.measure(model_, laws(), gravity(), threads_);
+  }
+  diagnostics.add_motion(sample, model_.particles, threads_);
+  return sample;
 }
 
 std::vector<std::string> Formulations::obstacles() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "solver/core/diagnostics.hpp"
@@ -37,6 +38,12 @@ class Formulations {
   HistorySample measure(Diagnostics& diagnostics);
   /// Per total-Lagrangian body: empty for the nodal form, else why the body is not in it.
   std::vector<std::string> obstacles() const;
+
+  /// What sets the stable time step; a pass over all particles.
+  StepLimit step_limit();
+
+  /// A failure by a time step that has become too short: names what shortens it. Step and time are the caller's.
+  Failure collapse(const std::string& what);
 
   double time() const { return time_; }
   void set_time(double time);

@@ -17,6 +17,10 @@ struct FrameSink {
   virtual void frame(const Model& model, double time, std::int64_t step) = 0;
   /// At t = 0, at each history interval, and with each frame.
   virtual void sample(const HistorySample& sample) = 0;
+  /// Whether `look` wants to be called. Particles are brought up to date for it, which takes a while.
+  virtual bool watches() const { return false; }
+  /// With each sample, after it, for whoever watches points of the model. The model is valid during the call only.
+  virtual void look(const Model&, const HistorySample&) {}
   /// After each step.
   virtual void progress(double time, double end_time, std::int64_t step, double dt) = 0;
 };

@@ -50,7 +50,7 @@ std::optional<Failure> relax(Formulations& method, const Model& model, const Sol
     const double stable = method.stable_time_step();
     if (step >= options.max_steps) return Failure{.what = "max_steps reached before the start was at rest"};
     if (!(stable > 1e-6 * first_stable))
-      return Failure{.what = "the time step has collapsed before the start was at rest"};
+      return method.collapse("the time step has collapsed before the start was at rest");
     const double dt = std::min(stable, end - time);
     method.step(dt);
     if (auto failure = method.failure()) return failure;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "solver/core/stress_measures.hpp"
 #include "solver/materials/tensor.hpp"
 
 namespace scarp {
@@ -19,13 +20,6 @@ FrameField field_of(OutputField which, const char* unit, std::size_t count, F&& 
   for (std::size_t p = 0; p < count; ++p)
     for (double v : value(p)) values.push_back(static_cast<float>(v));
   return {std::string(name_of(which)), unit, components, std::move(values)};
-}
-
-double mean(const Sym6& s) { return (s[0] + s[1] + s[2]) / 3; }
-
-double von_mises(const Sym6& s) {
-  const double x = s[0] - s[1], y = s[1] - s[2], z = s[2] - s[0];
-  return std::sqrt(0.5 * (x * x + y * y + z * z) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
 using Scalar = std::array<double, 1>;
@@ -43,9 +37,9 @@ FrameField make_field(const Particles& P, OutputField which) {
     case OutputField::equivalent_plastic_strain:
       return field_of(which, "1", n, [&](std::size_t p) { return Scalar{P.equivalent_plastic_strain[p]}; });
     case OutputField::mean_stress:
-      return field_of(which, "Pa", n, [&](std::size_t p) { return Scalar{mean(P.stress[p])}; });
+      return field_of(which, "Pa", n, [&](std::size_t p) { return Scalar{mean_stress(P.stress[p])}; });
     case OutputField::von_mises_stress:
-      return field_of(which, "Pa", n, [&](std::size_t p) { return Scalar{von_mises(P.stress[p])}; });
+      return field_of(which, "Pa", n, [&](std::size_t p) { return Scalar{von_mises_stress(P.stress[p])}; });
     case OutputField::volume_ratio:
       return field_of(which, "1", n, [&](std::size_t p) { return Scalar{J(p)}; });
     case OutputField::deformation_gradient:

@@ -121,8 +121,8 @@ void NodalBody::restart(const Particles& particles, int threads) {
   sweep_stress(true, threads);
 }
 
-void NodalBody::add_body_force(const Particles& particles, const std::function<Vec3(const Vec3& X)>& b) {
-  scatter(nodes_.sum, [&](std::size_t p) { return particles.mass[p] * b(particles.reference_position[p]); });
+void NodalBody::add_body_force(const Particles& particles, const std::vector<Vec3>& acceleration) {
+  scatter(nodes_.sum, [&](std::size_t p) { return particles.mass[p] * acceleration[p]; });
 }
 
 NodeWork NodalBody::step(const NodalStep& step, int threads) {

@@ -43,8 +43,11 @@ class NodalBody {
   /// gathered is forgotten, U and the history stay.
   void restart(const Particles& particles, int threads);
 
-  /// Adds b(X) per mass to the forces of the next step. Serial.
-  void add_body_force(const Particles& particles, const std::function<Vec3(const Vec3& X)>& b);
+  /// Adds b_p per mass to the forces of the next step. Serial.
+  /// @param acceleration  b_p, per particle of the model
+  void add_body_force(const Particles& particles, const std::vector<Vec3>& acceleration);
+  /// sum of m_p b_p . (x_p - X_p), J: what a step adds to it is the work of the body force. Serial.
+  double body_force_times_displacement(const Particles& particles, const std::vector<Vec3>& acceleration) const;
 
   /// A whole step; what the nodes' conditions took and gave.
   NodeWork step(const NodalStep& step, int threads);
@@ -53,6 +56,8 @@ class NodalBody {
 
   /// Position, velocity, F, stress and history of the body's particles.
   void write(Particles& particles, int threads) const;
+  /// Position and velocity alone.
+  void write_motion(Particles& particles, int threads) const;
   /// Energies and momenta, without the particles.
   HistorySample measure(const Vec3& gravity, int threads) const;
 
@@ -75,8 +80,11 @@ class NodalBody {
   void scatter_segments(double* const (&field)[3], F&& value) const;
   template <int D>
   double mean_volume(std::size_t segment, int lane) const;
-  template <int D>
+  /// `whole`: also F, stress and history.
+  template <int D, bool whole>
   void write_segment(Particles& particles, std::size_t segment) const;
+  template <int D>
+  double times_displacement(const Particles& particles, const std::vector<Vec3>& acceleration) const;
 
   const Model& model_;
   TotalBody& body_;

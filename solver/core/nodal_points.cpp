@@ -153,33 +153,34 @@ double NodalBody::mean_volume(std::size_t s, int lane) const {
   return volume > 0 ? deformed / volume : 1;
 }
 
-template <int D>
+template <int D, bool whole>
 void NodalBody::write_segment(Particles& particles, std::size_t s) const {
   using Cell = LinearCell<D>;
   const Segment& segment = layout_.segments[s];
   const std::int64_t* slots = &layout_.slots[layout_.slot_begin[s]];
   for (int lane = 0; lane < kSegment; ++lane) {
-    const double J_cell = average_ ? mean_volume<D>(s, lane) : 0;
+    const double J_cell = whole && average_ ? mean_volume<D>(s, lane) : 0;
     typename Cell::Values U[D], W[D], A[D], m;
     bool gathered = false;
     for (int place = 0; place < segment.places; ++place) {
       const std::int64_t p = slots[place * kSegment + lane];
       if (p < 0) continue;
       if (!gathered) {
-        gather<D>(nodes_.U, segment, lane, U);
+        if constexpr (whole) gather<D>(nodes_.U, segment, lane, U);
         gather<D>(nodes_.W, segment, lane, W);
         gather<D>(nodes_.A, segment, lane, A);
         gathered = true;
       }
       Cell::monomials(place_in_cell(layout_, segment, place, lane), m);
-      Mat3 F = gradient<D>(U, m, 1 / layout_.cell);
-      if (average_) F = dilated<D>(F, dilation<D>(J_cell / determinant(F)));
       const std::size_t in_body = static_cast<std::size_t>(p) - body_.begin;
       const Vec3& v0 = start_velocity_[start_velocity_.size() == 1 ? 0 : in_body];
       for (int d = 0; d < D; ++d) {
         particles.position[p][d] = particles.reference_position[p][d] + Cell::value(W[d], m);
         particles.velocity[p][d] = share_ * v0[d] + Cell::value(A[d], m);
       }
+      if constexpr (!whole) continue;
+      Mat3 F = gradient<D>(U, m, 1 / layout_.cell);
+      if (average_) F = dilated<D>(F, dilation<D>(J_cell / determinant(F)));
       particles.deformation_gradient[p] = F;
       PointHistory history = history_at(s, place, lane, F);
       particles.elastic_left_cauchy_green[p] = history.elastic_left_cauchy_green;
@@ -196,8 +197,38 @@ void NodalBody::write_segment(Particles& particles, std::size_t s) const {
 
 void NodalBody::write(Particles& particles, int threads) const {
   parallel_for(layout_.segments.size(), threads, [&](std::size_t s) {
-    layout_.dimension == 2 ? write_segment<2>(particles, s) : write_segment<3>(particles, s);
+    layout_.dimension == 2 ? write_segment<2, true>(particles, s) : write_segment<3, true>(particles, s);
   });
+}
+
+void NodalBody::write_motion(Particles& particles, int threads) const {
+  parallel_for(layout_.segments.size(), threads, [&](std::size_t s) {
+    layout_.dimension == 2 ? write_segment<2, false>(particles, s) : write_segment<3, false>(particles, s);
+  });
+}
+
+template <int D>
+double NodalBody::times_displacement(const Particles& particles, const std::vector<Vec3>& acceleration) const {
+  using Cell = LinearCell<D>;
+  double sum = 0;
+  for (std::size_t s = 0; s < layout_.segments.size(); ++s) {
+    const Segment& segment = layout_.segments[s];
+    for (int i = 0; i < segment.places * kSegment; ++i) {
+      const std::int64_t p = layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(i)];
+      if (p < 0) continue;
+      typename Cell::Values W[D], m;
+      gather<D>(nodes_.W, segment, i % kSegment, W);
+      Cell::monomials(place_in_cell(layout_, segment, i / kSegment, i % kSegment), m);
+      for (int d = 0; d < D; ++d) sum += particles.mass[p] * acceleration[p][d] * Cell::value(W[d], m);
+    }
+  }
+  return sum;
+}
+
+double NodalBody::body_force_times_displacement(const Particles& particles,
+                                                const std::vector<Vec3>& acceleration) const {
+  return layout_.dimension == 2 ? times_displacement<2>(particles, acceleration)
+                                : times_displacement<3>(particles, acceleration);
 }
 
 /// The first particle of a segment that is turned inside out, else the first of which something is not finite.

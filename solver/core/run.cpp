@@ -25,7 +25,7 @@ struct Run {
         sink(s),
         threads(std::max(1, t)),
         method(m, options, t, kernels),
-        diagnostics(m.particles.size()),
+        diagnostics(m.particles),
         clock(output, options.end_time) {}
 
   HistorySample sample(double dt) {
@@ -43,7 +43,23 @@ struct Run {
     report.last = now;
     report.largest_energy_error = std::max(report.largest_energy_error, std::abs(now.total - report.first.total));
     report.largest_kinetic = std::max(report.largest_kinetic, now.kinetic);
+    report.largest_energy =
+        std::max(report.largest_energy, now.kinetic + now.strain + now.plastic + now.friction + now.damping);
     sink.sample(now);
+    if (!sink.watches()) return;
+    method.write_particles();
+    sink.look(model, now);
+  }
+
+  void record_step_limit() {
+    const StepLimit now = method.step_limit();
+    if (!(now.time_step > 0)) return;  // a state that is not finite: its failure says so
+    if (report.step_limit.body < 0 || now.time_step < report.step_limit.time_step) report.step_limit = now;
+  }
+
+  void record_frame() {
+    record_step_limit();  // and brings the particles up to date
+    sink.frame(model, method.time(), report.steps);
   }
 
   void record_what_is_due(double dt) {
@@ -53,8 +69,7 @@ struct Run {
     if (clock.sample_due(time)) clock.sample_done();
     if (!frame) return;
     clock.frame_done();
-    method.write_particles();
-    sink.frame(model, time, report.steps);
+    record_frame();
   }
 
   void fail(Failure failure) {
@@ -86,7 +101,7 @@ void refuse_endless(double end_time, double first_step) {
 std::optional<Failure> obstacle(Run& run, std::int64_t max_steps, double stable, double first_stable) {
   if (auto failure = run.method.failure()) return failure;
   if (run.report.steps >= max_steps) return Failure{.what = "max_steps reached before the end time"};
-  if (!(stable > kCollapse * first_stable)) return Failure{.what = "the time step has collapsed"};
+  if (!(stable > kCollapse * first_stable)) return run.method.collapse("the time step has collapsed");
   return std::nullopt;
 }
 
@@ -102,6 +117,7 @@ void finish(Run& run) {
   run.method.write_particles();
   run.report.particle_steps = run.report.steps * static_cast<std::int64_t>(run.model.particles.size());
   run.report.end_time = run.method.time();
+  run.report.reference_centre = run.diagnostics.reference_centre();
   run.report.largest_displacement = largest_displacement(run.model.particles);
 }
 
@@ -118,13 +134,13 @@ RunReport run(Model& model, const SolverOptions& options, const OutputOptions& o
   const double first_stable = method.stable_time_step();
   if (!run.report.failed && !method.failure()) {
     run.record(0);
-    method.write_particles();
-    sink.frame(model, 0, 0);
+    run.record_frame();
   }
   while (!run.report.failed && method.time() < options.end_time) {
     const double stable = method.stable_time_step();
     if (auto failure = obstacle(run, options.max_steps, stable, first_stable)) {
       run.fail(*failure);
+      run.record_step_limit();
       break;
     }
     const double dt = run.clock.clip(method.time(), stable);

@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "solver/core/averaged_stress.hpp"
+#include "solver/core/body_force.hpp"
 #include "solver/core/check_model.hpp"
 #include "solver/core/diagnostics.hpp"
+#include "solver/core/step_limit.hpp"
 #include "solver/core/stress.hpp"
 #include "solver/core/total_loads.hpp"
 #include "solver/core/transfer.hpp"
@@ -32,7 +34,10 @@ NodeStep nodes_of(TotalBody& body, double dt, double time) {
 
 TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int threads,
                                  const kernels::Kernels& kernels)
-    : model_(model), options_(options, model.domain.dimension), threads_(std::max(1, threads)) {
+    : body_force(model.body_force),
+      model_(model),
+      options_(options, model.domain.dimension),
+      threads_(std::max(1, threads)) {
   check_model(model);
   check_options(options, model.domain.dimension);
   sort_by_cell(model);
@@ -76,6 +81,11 @@ void TotalLagrangian::map_state() {
   }
 }
 
+void TotalLagrangian::write_motion() {
+  for (const auto& body : nodal_)
+    if (body) body->write_motion(model_.particles, threads_);
+}
+
 void TotalLagrangian::write_particles() {
   if (particles_current_) return;
   particles_current_ = true;
@@ -97,19 +107,44 @@ double TotalLagrangian::stable_time_step() const {
   return bad_particle_ < 0 && fastest_ > 0 && std::isfinite(fastest_) ? options_.courant / fastest_ : 0;
 }
 
+StepLimit TotalLagrangian::step_limit() const {
+  StepLimit limit;
+  double most = 0;
+  for (const TotalBody& body : bodies_) {
+    const StepLimit of_body = find_step_limit(model_.particles, body);
+    if (limit.body >= 0 && !(of_body.wave_speed / body.grid.cell > most)) continue;
+    limit = of_body;
+    most = of_body.wave_speed / body.grid.cell;
+  }
+  limit.time_step = stable_time_step();
+  return limit;
+}
+
+void TotalLagrangian::find_accelerations() {
+  const Particles& particles = model_.particles;
+  accelerations_.resize(particles.size());
+  for (std::size_t p = 0; p < particles.size(); ++p)
+    accelerations_[p] = body_force(particles.reference_position[p], relaxing_ ? 0 : time_);
+}
+
 StressOutcome TotalLagrangian::step_nodal(NodalBody& body, const Vec3& gravity, double dt, bool find_speed) {
-  if (body_force) body.add_body_force(model_.particles, [&](const Vec3& X) { return body_force(X, time_); });
+  if (body_force) {
+    body.add_body_force(model_.particles, accelerations_);
+    work_.external -= body.body_force_times_displacement(model_.particles, accelerations_);
+  }
   work_ = work_ +
           body.step({time_, dt, gravity, gravity - options_.gravity, options_.flip_share(dt), find_speed}, threads_);
+  if (body_force) work_.external += body.body_force_times_displacement(model_.particles, accelerations_);
   return body.outcome();
 }
 
 StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravity, double dt) {
   Particles& particles = model_.particles;
-  if (body_force) add_body_force(particles, body, [&](const Vec3& X) { return body_force(X, time_); });  // (1)
-  advance_nodes(body, gravity, dt, threads_);                                                            // (2)
+  if (body_force) add_body_force(particles, body, accelerations_);  // (1)
+  advance_nodes(body, gravity, dt, threads_);                       // (2)
   work_ = work_ +
           act_on_nodes(body.conditions, nodes_of(body, dt, time_), body.held_now, gravity - options_.gravity, threads_);
+  if (body_force) work_.external += work_of_body_force(particles, body, accelerations_, dt);
   advance_particles(particles, body, options_.flip_share(dt), dt, threads_);  // (3), (1)
   find_node_velocities(body, threads_);                                       // (5), (2)
   body.conditions.loads.hold(body.velocity);
@@ -118,6 +153,7 @@ StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravi
 
 std::int64_t TotalLagrangian::step(double dt) {
   const Vec3 gravity = options_.gravity_at(time_, dt);
+  if (body_force) find_accelerations();
   const bool look = ++since_look_ == kStepsPerLook;
   const double last_fastest = fastest_;
   if (look) since_look_ = 0;
@@ -133,6 +169,7 @@ std::int64_t TotalLagrangian::step(double dt) {
 }
 
 void TotalLagrangian::begin_relaxing(double damping) {
+  relaxing_ = true;
   start_velocity_ = model_.particles.velocity;
   std::fill(model_.particles.velocity.begin(), model_.particles.velocity.end(), Vec3{0, 0, 0});
   for (TotalBody& body : bodies_) {
@@ -144,6 +181,7 @@ void TotalLagrangian::begin_relaxing(double damping) {
 }
 
 void TotalLagrangian::rest() {
+  relaxing_ = false;
   model_.particles.velocity = std::move(start_velocity_);
   model_.particles.position = model_.particles.reference_position;
   for (TotalBody& body : bodies_) {

@@ -32,12 +32,17 @@ class TotalLagrangian {
   /// between a wave crosses two cells at most, and strains change by little. 0 where the state is not finite.
   double stable_time_step() const;
 
+  /// What sets it.
+  StepLimit step_limit() const;
+
   /// One step of `dt` seconds. Index of the first particle whose state is no longer valid (J <= 0 or not finite),
   /// or -1.
   std::int64_t step(double dt);
 
   /// Brings the particles of bodies in nodal form to the state as it stands.
   void write_particles();
+  /// The same of their positions and velocities alone.
+  void write_motion();
   /// Energies and momenta where all bodies are in nodal form.
   bool all_nodal() const;
   HistorySample measure() const;
@@ -59,8 +64,8 @@ class TotalLagrangian {
   /// displacements count from here; stress, F and history stay. Time and work are zero, gravity is the steady one.
   void rest();
 
-  /// Acceleration b(X, t) beside gravity, m/s2, e.g. of a manufactured solution. Serial; none by default. Counts
-  /// from the next step on.
+  /// Acceleration b(X, t) beside gravity, m/s2, e.g. of a manufactured solution: Model::body_force. Serial; counts from
+  /// the next step on; while relaxing it is that at t = 0.
   std::function<Vec3(const Vec3& X, double time)> body_force;
 
  private:
@@ -74,9 +79,12 @@ class TotalLagrangian {
   void map_state();
   StressOutcome step_nodal(NodalBody& body, const Vec3& gravity, double dt, bool find_speed);
   StressOutcome step_particles(TotalBody& body, const Vec3& gravity, double dt);
+  void find_accelerations();
 
   NodeWork work_;
   std::vector<Vec3> start_velocity_;
+  std::vector<Vec3> accelerations_;  ///< of body_force, per particle; empty without
+  bool relaxing_ = false;
   int threads_;
   double time_ = 0;
   double fastest_ = 0;              ///< max over bodies of c / cell, 1/s

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/core/step_limit.hpp"
 #include "solver/core/updated_stress.hpp"
 #include "solver/core/updated_transfer.hpp"
 
@@ -42,6 +43,12 @@ double UpdatedLagrangian::stable_time_step() const {
 void UpdatedLagrangian::place() {
   lost_particle_ = place_particles(grid_, model_.particles, threads_);
   if (lost_particle_ < 0) conditions_.follow(grid_);
+}
+
+StepLimit UpdatedLagrangian::step_limit() const {
+  StepLimit limit = find_step_limit(model_.particles, grid_, laws_);
+  limit.time_step = stable_time_step();
+  return limit;
 }
 
 void UpdatedLagrangian::step(double dt) {

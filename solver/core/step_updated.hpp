@@ -25,6 +25,9 @@ class UpdatedLagrangian {
   /// and v of the fastest (method.md 1.2). 0 where the state is not finite.
   double stable_time_step() const;
 
+  /// What sets it.
+  StepLimit step_limit() const;
+
   /// One step of `dt` seconds, in the order of the options.
   void step(double dt);
   void set_time(double time) { time_ = time; }

@@ -92,21 +92,6 @@ StressOutcome sweep_body(const Sweep& sweep, int threads) {
   });
 }
 
-template <int D>
-void add_body_force_to_cell(const Particles& particles, TotalBody& body, std::size_t cell,
-                            const std::function<Vec3(const Vec3& X)>& b) {
-  using Cell = LinearCell<D>;
-  typename Cell::Values m, sums[D]{};
-  for (std::size_t p = body.grid.cell_begin[cell]; p < body.grid.cell_begin[cell + 1]; ++p) {
-    const Vec3 force = particles.mass[p] * b(particles.reference_position[p]);
-    Cell::monomials(body.grid.xi[p - body.begin], m);
-    for (int d = 0; d < D; ++d) Cell::add_value(sums[d], m, force[d]);
-  }
-  for (int d = 0; d < D; ++d) Cell::to_corners(sums[d]);
-  for (int k = 0; k < Cell::N; ++k)
-    for (int d = 0; d < D; ++d) body.slots[cell * Cell::N + k][d] += sums[d][k];
-}
-
 }  // namespace
 
 StressOutcome update_stress(Particles& particles, TotalBody& body, const std::vector<PreparedLaw>& laws, double dt,
@@ -122,12 +107,6 @@ StressOutcome map_stress(Particles& particles, TotalBody& body, const std::vecto
   const Sweep sweep{particles, body, laws, 0};
   return body.grid.dimension == 2 ? sweep_body<2, Mode::map_only>(sweep, threads)
                                   : sweep_body<3, Mode::map_only>(sweep, threads);
-}
-
-void add_body_force(const Particles& particles, TotalBody& body, const std::function<Vec3(const Vec3& X)>& b) {
-  for (std::size_t cell = 0; cell < body.grid.cells.size(); ++cell)
-    body.grid.dimension == 2 ? add_body_force_to_cell<2>(particles, body, cell, b)
-                             : add_body_force_to_cell<3>(particles, body, cell, b);
 }
 
 }  // namespace scarp

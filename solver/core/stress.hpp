@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "solver/core/total_body.hpp"
@@ -26,8 +25,5 @@ StressOutcome update_stress(Particles& particles, TotalBody& body, const std::ve
 
 /// The same from the stress that the particles hold, without moving them: for the start of a run.
 StressOutcome map_stress(Particles& particles, TotalBody& body, const std::vector<PreparedLaw>& laws, int threads);
-
-/// (1) Adds sum_p phi_Ip m_p b(X_p) to the force slots, for b that varies in space.
-void add_body_force(const Particles& particles, TotalBody& body, const std::function<Vec3(const Vec3& X)>& b);
 
 }  // namespace scarp

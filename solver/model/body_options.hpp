@@ -196,6 +196,7 @@ struct BodyOptions {
   std::string material;
   std::vector<MaterialRule> materials;
   Vec3 velocity{0, 0, 0};
+  std::vector<std::string> velocity_field;
   Formulation formulation = Formulation::total_lagrangian;
 
   template <class V>
@@ -211,6 +212,8 @@ struct BodyOptions {
     v("material", material, Spec{.text = "name of its material", .required = true});
     v("materials", materials, Spec{.text = "rules that give single points another material; later rules win"});
     v("velocity", velocity, Spec{.text = "initial velocity", .unit = "m/s"});
+    v("velocity_field", velocity_field,
+      Spec{.text = "added to it: m/s, a formula of X, Y, Z (m) and pi per axis, such as \"0.1 * sin(pi * X / 50)\""});
     v("formulation", formulation,
       Spec{.text =
                "configuration in which the weights are taken: \"total-lagrangian\", the reference one, on a grid of "

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,8 @@ struct Model {
   std::vector<VolumeReport> volumes;  ///< one per body
   SiteFrame site;
   std::vector<LoadOptions> loads;  ///< local; of the run, not stored with the model
+  /// Acceleration beside gravity at the reference position X, m/s2; of the run, not stored with the model.
+  std::function<Vec3(const Vec3& X, double time)> body_force;
 };
 
 }  // namespace scarp

@@ -62,6 +62,22 @@ struct HistorySample {
       0;  ///< done on the model by loads since the start, and by gravity as far as it differs from its steady value
   double total = 0;  ///< kinetic + strain + plastic + potential + friction + damping - external
   Vec3 momentum{0, 0, 0};
+  Vec3 angular_momentum{0, 0, 0};  ///< sum of (x - RunReport::reference_centre) x m v, kg m2/s; plane strain: about z
+  Vec3 centre{0, 0, 0};            ///< of mass, local, m
+};
+
+/// What sets the time step: the cell of a total-Lagrangian body or the particle of an updated-Lagrangian one that a
+/// signal crosses first.
+struct StepLimit {
+  double time_step = 0;  ///< s, the largest stable one
+  double time = 0;       ///< s, when
+  std::int32_t body = -1;
+  std::int32_t material = -1;
+  std::int64_t particle =
+      -1;                  ///< id; of a cell the stiffest, of an updated-Lagrangian body the faster of its two causes
+  Vec3 position{0, 0, 0};  ///< of the particle, local, m
+  double wave_speed = 0;   ///< m/s; total-Lagrangian: of the cell, in the reference configuration
+  double particle_speed = 0;  ///< m/s, of the fastest particle; 0 where it does not count (total-Lagrangian)
 };
 
 /// How a simulation failed: a value, not an exception, so that everything before it is kept.
@@ -90,6 +106,9 @@ struct RunReport {
   double largest_displacement = 0;  ///< m, at the end
   HistorySample first, last;
   double largest_energy_error = 0;  ///< max over samples of |total - total at start|, J
+  double largest_energy = 0;  ///< max over samples of what moved: kinetic + strain + plastic + friction + damping, J
+  Vec3 reference_centre{0, 0, 0};  ///< of mass in the reference configuration, local, m
+  StepLimit step_limit;            ///< the tightest of those at the start, at each frame and at a collapse
   double largest_kinetic = 0;
   std::string instruction_set;  ///< that the kernels were compiled for
   std::vector<BodyForm> forms;

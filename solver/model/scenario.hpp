@@ -13,6 +13,7 @@
 #include "solver/model/body_options.hpp"
 #include "solver/model/compare_options.hpp"
 #include "solver/model/domain.hpp"
+#include "solver/model/probe_options.hpp"
 #include "solver/model/render_options.hpp"
 #include "solver/model/scan_options.hpp"
 #include "solver/model/solver_options.hpp"
@@ -65,6 +66,7 @@ struct Scenario {
   std::vector<LoadOptions> loads;
   SolverOptions solver;
   OutputOptions output;
+  std::vector<ProbeOptions> probes;
   std::vector<RenderOptions> render;
   std::vector<CompareOptions> compare;
 
@@ -78,6 +80,7 @@ struct Scenario {
     v("loads", loads, Spec{.text = "what acts on the bodies in time, beside gravity"});
     v("solver", solver, Spec{.text = "method and time", .required = true});
     v("output", output, Spec{.text = "what is kept of the run"});
+    v("probes", probes, Spec{.text = "what is watched while the run goes"});
     v("render", render, Spec{.text = "pictures"});
     v("compare", compare, Spec{.text = "simulated clouds held against observed ones"});
   }

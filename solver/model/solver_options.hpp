@@ -9,6 +9,7 @@
 #include "solver/model/load_options.hpp"
 #include "solver/model/math.hpp"
 #include "solver/model/output_field.hpp"
+#include "solver/model/run_out_options.hpp"
 #include "solver/model/schema.hpp"
 
 namespace scarp {
@@ -53,6 +54,7 @@ struct SolverOptions {
   double flip = 1.0;
   double pic_rate = 0;
   std::optional<Vec3> gravity;
+  std::vector<std::string> body_force;
   double gravity_ramp = 0;
   double damping = 0;
   std::optional<RelaxOptions> relax;
@@ -84,6 +86,10 @@ struct SolverOptions {
            .unit = "1/s",
            .at_least = 0});
     v("gravity", gravity, Spec{.text = "acceleration of gravity; default 9.81 downwards", .unit = "m/s2"});
+    v("body_force", body_force,
+      Spec{.text =
+               "acceleration beside gravity, m/s2: a formula of the reference position X, Y, Z (m), t (s) and pi per "
+               "axis; on total-Lagrangian bodies"});
     v("gravity_ramp", gravity_ramp,
       Spec{.text = "gravity grows smoothly from nothing over this time; with `relax`, while relaxing",
            .unit = "s",
@@ -106,6 +112,7 @@ struct OutputOptions {
   std::optional<double> history_every;
   std::vector<OutputField> fields{OutputField::displacement, OutputField::velocity, OutputField::stress,
                                   OutputField::equivalent_plastic_strain};
+  RunOutOptions run_out;
 
   template <class V>
   void describe(V&& v) {
@@ -114,6 +121,7 @@ struct OutputOptions {
     v("history_every", history_every,
       Spec{.text = "interval between rows of history.csv; default: a tenth of the frames'", .unit = "s", .above = 0});
     v("fields", fields, Spec{.text = "what a frame holds per particle, beside id, body, material, surface and colour"});
+    v("run_out", run_out, Spec{.text = "how run-out, deposit and footprint in summary.json are measured"});
   }
 };
 

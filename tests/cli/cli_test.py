@@ -12,6 +12,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import h5py
+
 from support import BLOCK, HILL, SCARP, Run
 
 
@@ -176,6 +178,53 @@ class Pipeline(unittest.TestCase):
         wrong = Run("check", self.folder / "block.toml", "--set", "solver.end_tim=1")
         self.assertEqual(wrong.code, 2)
         self.assertIn("end_time", wrong.err)
+
+    def test_probes(self):
+        probes = """
+[[probes]]
+name = "corner"
+where = { point = [0, 0, 1] }
+[[probes]]
+name = "base"
+where = { plane = { point = [1, 1, 0.5], normal = [0, 0, 1] } }
+[[probes]]
+name = "up"
+where = { line = { from = [1, 1, 0], to = [1, 1, 1], bins = 4 } }
+every = 0.025
+[[probes]]
+name = "nowhere"
+where = { box = { min = [8, 8, 8], max = [9, 9, 9] }, place = "reference" }
+"""
+        (self.folder / "probes.toml").write_text(BLOCK + probes)
+        out = self.folder / "p"
+        self.run_well("run", self.folder / "probes.toml", "-o", out, "--set", "render=[]")
+        tables = {}
+        for name in ("corner", "base", "up", "nowhere"):
+            with open(out / f"probes/{name}.csv") as file:
+                tables[name] = list(csv.DictReader(file))
+        with open(out / "history.csv") as file:
+            history = list(csv.DictReader(file))
+        self.assertEqual([row["time_s"] for row in tables["corner"]], [row["time"] for row in history])
+        with h5py.File(out / "frames/frame_000005.hdf") as frame:
+            at = list(frame["VTKHDF/PointData/id"]).index(json.loads((out / "summary.json").read_text())["solver"]["probes"][0]["particle"])
+            self.assertEqual(float(tables["corner"][-1]["displacement_z_m"]).hex()[:8],
+                             float(frame["VTKHDF/PointData/displacement"][at][2]).hex()[:8])
+            self.assertAlmostEqual(float(tables["corner"][-1]["position_z_m"]), frame["VTKHDF/Points"][at][2], places=12)
+        self.assertEqual(sorted({row["time_s"] for row in tables["up"]}), ["0", "0.025", "0.05"])
+        self.assertEqual(len(tables["up"]), 3 * 4)
+        self.assertEqual({row["centre_x_m"] for row in tables["nowhere"]}, {""}, "an empty cell where nothing is")
+        falls = [float(row["normal_force_N"]) for row in tables["base"]]
+        self.assertLess(min(falls), -1000, "the base carries what stands on it")
+        self.run_well("run", self.folder / "block.toml", "-o", out, "--set", "render=[]")
+        self.assertFalse((out / "probes/base.csv").exists(), "of an earlier run")
+        for wrong, words in (('name = "corner"', ["two entries of probes"]), ("bins = 4", ["bins"]),
+                             ("normal = [0, 0, 1]", ["normal", "direction"])):
+            new = {"bins = 4": "bins = 0", "normal = [0, 0, 1]": "normal = [0, 0, 0]"}.get(wrong, 'name = "base"')
+            (self.folder / "wrong.toml").write_text(BLOCK + probes.replace(wrong, new))
+            done = Run("check", self.folder / "wrong.toml")
+            self.assertEqual(done.code, 2, str(done))
+            for word in words + ["wrong.toml:"]:
+                self.assertIn(word, done.err)
 
     def test_check_estimates_and_writes_nothing(self):
         before = sorted(self.folder.iterdir())

@@ -28,6 +28,19 @@ class Run:
         return f"exit {self.code}\n--- out\n{self.out}--- err\n{self.err}"
 
 
+def validation_row(quantity, expected, got, tolerance, why):
+    """A row of the validation table, printed and kept like those of tests/support/validation_table.hpp."""
+    row = f"| {quantity} | {expected:.6g} | {got:.6g} | {tolerance:.2g} | {why} |"
+    print(row, flush=True)
+    if path := os.environ.get("SCARP_VALIDATION_ROWS"):
+        with open(path, "a" if validation_row.begun else "w") as file:
+            file.write(row + "\n")
+        validation_row.begun = True
+
+
+validation_row.begun = False
+
+
 def limited(bytes_of_memory, *arguments):
     """A run whose address space is bounded, so that a large allocation fails it."""
     def bound():

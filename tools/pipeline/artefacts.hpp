@@ -21,6 +21,8 @@ struct Artefacts {
   std::filesystem::path frame(std::int64_t index) const { return frames() / numbered("frame", index, ".hdf"); }
   std::filesystem::path series() const { return root / "frames.hdf.series"; }
   std::filesystem::path history() const { return root / "history.csv"; }
+  std::filesystem::path probes() const { return root / "probes"; }
+  std::filesystem::path probe(const std::string& name) const { return probes() / (name + ".csv"); }
   std::filesystem::path images() const { return root / "images"; }
   std::filesystem::path image(const std::string& name, std::int64_t index) const {
     return images() / numbered(name, index, ".png");

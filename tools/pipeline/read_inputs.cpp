@@ -10,6 +10,7 @@
 #include "ingest/read_mesh.hpp"
 #include "ingest/read_raster.hpp"
 #include "solver/model/error.hpp"
+#include "tools/scenario/formula.hpp"
 #include "tools/scenario/resolve.hpp"
 #include "tools/synth/synth.hpp"
 
@@ -69,6 +70,22 @@ SiteFrame for_each_cleaned_scan(const Project& project,
   return site;
 }
 
+namespace {
+
+void add_velocity_fields(Model& model, const Scenario& scenario) {
+  Particles& particles = model.particles;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyOptions& options = scenario.bodies[b];
+    if (options.velocity_field.empty()) continue;
+    const Field field =
+        compile_field("bodies." + options.name + ".velocity_field", options.velocity_field, model.site.origin);
+    for (std::size_t p = model.bodies[b].begin; p < model.bodies[b].end; ++p)
+      particles.velocity[p] = particles.velocity[p] + field(particles.reference_position[p], 0);
+  }
+}
+
+}  // namespace
+
 Model build_model(const Project& project, const std::map<std::string, PointCloud>& scans, const SiteFrame& site) {
   Scenario local = project.scenario;
   localize_scenario(local, site.origin);
@@ -83,7 +100,9 @@ Model build_model(const Project& project, const std::map<std::string, PointCloud
         surfaces.try_emplace(below.below.path, local_surface(below.below.path, site));
       });
   }
-  return discretize(DiscretizeInput{local, scans, meshes, surfaces, site, project.threads});
+  Model model = discretize(DiscretizeInput{local, scans, meshes, surfaces, site, project.threads});
+  add_velocity_fields(model, local);
+  return model;
 }
 
 std::vector<std::string> scans_of_bodies(const Scenario& scenario) {

@@ -37,6 +37,7 @@ void refuse_to_overwrite_inputs(const Project& project) {
                 "another output folder (-o)");
   std::vector<fs::path> artefacts{project.artefacts.model()};
   for (const ScanOptions& scan : project.scenario.scans) artefacts.push_back(project.artefacts.cloud(scan.name));
+  for (const ProbeOptions& probe : project.scenario.probes) artefacts.push_back(project.artefacts.probe(probe.name));
   for (const CompareOptions& comparison : project.scenario.compare)
     for (const char* extension : {".csv", ".las"})
       artefacts.push_back(project.artefacts.compared(comparison.name, extension));

@@ -5,10 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/core/run.hpp"
+#include "solver/core/run_out.hpp"
+#include "solver/core/step_options.hpp"
 #include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_artefacts.hpp"
 #include "tools/pipeline/run_inputs.hpp"
+#include "tools/pipeline/run_out_json.hpp"
 #include "tools/pipeline/summary.hpp"
 #include "tools/pipeline/write_run.hpp"
 
@@ -24,6 +27,26 @@ Json failure_json(const RunReport& report, const Vec3& site_position) {
           {"time_s", report.failure.time},
           {"particle", report.failure.particle},
           {"position_m", to_json(site_position)}};
+}
+
+/// Null where the run ended before its state was looked at.
+Json step_limit_json(const StepLimit& limit, const Model& model) {
+  if (limit.body < 0) return nullptr;
+  return {{"time_step_s", limit.time_step},
+          {"time_s", limit.time},
+          {"body", model.bodies[limit.body].name},
+          {"material", model.materials[limit.material].name},
+          {"particle", limit.particle},
+          {"position_m", to_json(limit.position + model.site.origin)},
+          {"wave_speed_m_s", limit.wave_speed},
+          {"particle_speed_m_s", limit.particle_speed}};
+}
+
+/// The largest departure of the total energy from that at the start, over the largest energy that moved: kinetic,
+/// strain, plastic and what was dissipated. Null where nothing moved.
+Json relative_energy_error(const RunReport& report) {
+  if (!(report.largest_energy > 0)) return nullptr;
+  return report.largest_energy_error / report.largest_energy;
 }
 
 std::size_t outside_domain(const Model& model) {
@@ -48,11 +71,11 @@ Json forms_json(const RunReport& report) {
   return forms;
 }
 
-Json solver_json(const RunReport& report, const Stopwatch& watch, const RunWriter& writer, const Vec3& failed_at) {
+Json solver_json(const RunReport& report, const Model& model, const Stopwatch& watch, RunWriter& writer) {
   const double wall = watch.wall() - writer.wall(), processor = watch.processor() - writer.processor();
   const double particle_steps = static_cast<double>(std::max<std::int64_t>(report.particle_steps, 1));
   return {{"status", report.failed ? "failed" : "completed"},
-          {"failure", failure_json(report, failed_at)},
+          {"failure", failure_json(report, report.failure.position + model.site.origin)},
           {"steps", report.steps},
           {"particle_steps", report.particle_steps},
           {"wall_ns_per_particle_step", 1e9 * wall / particle_steps},
@@ -62,14 +85,36 @@ Json solver_json(const RunReport& report, const Stopwatch& watch, const RunWrite
           {"end_time_s", report.end_time},
           {"smallest_dt_s", report.smallest_dt},
           {"largest_dt_s", report.largest_dt},
+          {"time_step_limit", step_limit_json(report.step_limit, model)},
           {"largest_displacement_m", report.largest_displacement},
           {"largest_kinetic_J", report.largest_kinetic},
           {"largest_energy_error_J", report.largest_energy_error},
+          {"largest_energy_J", report.largest_energy},
+          {"relative_energy_error", relative_energy_error(report)},
+          {"angular_momentum_about_m", to_json(report.reference_centre + model.site.origin)},
           {"first", to_json(report.first)},
           {"last", to_json(report.last)},
+          {"probes", writer.probes().summary(model)},
           {"frames", writer.frames()},
           {"solve_wall_s", wall},
           {"output_wall_s", writer.wall()}};
+}
+
+void note_step_limit(const StepLimit& limit, const Model& model, Reporter& reporter) {
+  if (limit.body < 0) return;
+  const Vec3 at = limit.position + model.site.origin;
+  char text[300];
+  std::snprintf(text, sizeof text,
+                "time step down to %.4g s, by particle %lld at (%.6g, %.6g, %.6g), wave speed %.4g m/s, of body ",
+                limit.time_step, static_cast<long long>(limit.particle), at[0], at[1], at[2], limit.wave_speed);
+  reporter.note(text + model.bodies[limit.body].name + ", material " + model.materials[limit.material].name);
+}
+
+void record_run_out(const Project& project, const Model& model, const RunReport& report) {
+  if (report.failed) return record_summary(project, "run_out", {{"why_null", "the simulation failed"}});
+  const Vec3 gravity = gravity_of(project.scenario.solver, model.domain.dimension);
+  const RunOut run_out = measure_run_out(model.particles, model.domain, gravity, project.scenario.output.run_out);
+  record_summary(project, "run_out", run_out_json(run_out, model.site.origin));
 }
 
 }  // namespace
@@ -82,7 +127,7 @@ void solve_stage(Project& project, Outcome& outcome) {
   // Before the first frame, so that frames of a run that was cut off are known for what they are.
   record_summary(project, "solver", {{"status", "running"}});
   record_made_from(project, Maker::solver);
-  RunWriter writer(project);
+  RunWriter writer(project, model);
   const Stopwatch watch;
   // Waiting for each other costs threads more than a small model's sweeps; the bits are the same.
   const int threads = model.particles.size() < 20'000 ? 1 : project.threads;
@@ -93,11 +138,13 @@ void solve_stage(Project& project, Outcome& outcome) {
   outcome.simulation_failed = report.failed;
   outcome.failure = report.failure;
   outcome.failure_site = report.failure.position + model.site.origin;
-  record_summary(project, "solver", solver_json(report, watch, writer, outcome.failure_site));
+  record_summary(project, "solver", solver_json(report, model, watch, writer));
+  record_run_out(project, model, report);
   char text[200];
   std::snprintf(text, sizeof text, "%lld steps of %zu particles, largest displacement %.4g m",
                 static_cast<long long>(report.steps), model.particles.size(), report.largest_displacement);
   project.reporter->note(text);
+  note_step_limit(report.step_limit, model, *project.reporter);
   if (const std::size_t outside = outside_domain(model); outside > 0)
     project.reporter->note(std::to_string(outside) +
                            " particles ended outside the domain: its faces hold only what "

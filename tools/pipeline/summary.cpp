@@ -76,7 +76,8 @@ Json to_json(const HistorySample& sample) {
           {"momentum_kg_m_s", to_json(sample.momentum)},
           {"friction_J", sample.friction},
           {"damping_J", sample.damping},
-          {"external_J", sample.external}};
+          {"external_J", sample.external},
+          {"angular_momentum_kg_m2_s", to_json(sample.angular_momentum)}};
 }
 
 Json read_json(const std::filesystem::path& path) {

@@ -6,6 +6,7 @@
 #include "solver/model/error.hpp"
 #include "solver/model/write_whole.hpp"
 #include "solver/store/frame_store.hpp"
+#include "tools/pipeline/run_inputs.hpp"
 
 namespace scarp {
 
@@ -14,6 +15,7 @@ namespace fs = std::filesystem;
 void clear_earlier_run(const Artefacts& artefacts) {
   fs::remove(artefacts.series());
   fs::remove(artefacts.history());
+  clear_earlier_probes(artefacts);
   if (!fs::exists(artefacts.frames())) return;
   std::vector<fs::path> stale;
   for (const fs::directory_entry& entry : fs::directory_iterator(artefacts.frames()))
@@ -21,11 +23,12 @@ void clear_earlier_run(const Artefacts& artefacts) {
   for (const fs::path& path : stale) fs::remove(path);
 }
 
-RunWriter::RunWriter(const Project& project) : project_(project) {
+RunWriter::RunWriter(const Project& project, const Model& model)
+    : project_(project), origin_(model.site.origin), probes_(local_probes(project, origin_), model) {
   clear_earlier_run(project.artefacts);
   history_ =
       "time,step,dt,kinetic,strain,plastic,potential,total,momentum_x,momentum_y,momentum_z,friction,damping,"
-      "external\n";
+      "external,angular_momentum_x,angular_momentum_y,angular_momentum_z,centre_x,centre_y,centre_z\n";
 }
 
 void RunWriter::frame(const Model& model, double time, std::int64_t step) {
@@ -35,6 +38,7 @@ void RunWriter::frame(const Model& model, double time, std::int64_t step) {
   series_.emplace_back((fs::path("frames") / path.filename()).string(), time);
   write_series(project_.artefacts.series(), series_);
   write_whole(project_.artefacts.history(), history_);
+  probes_.write(project_.artefacts);
   wall_ += watch.wall();
   processor_ += watch.processor();
 }
@@ -46,16 +50,28 @@ void RunWriter::sample(const HistorySample& sample) {
   };
   append(sample.time, ',');
   history_ += std::to_string(sample.step) + ',';
+  const Vec3 &L = sample.angular_momentum, centre = sample.centre + origin_;
   for (double value : {sample.dt, sample.kinetic, sample.strain, sample.plastic, sample.potential, sample.total,
-                       sample.momentum[0], sample.momentum[1], sample.momentum[2], sample.friction, sample.damping})
+                       sample.momentum[0], sample.momentum[1], sample.momentum[2], sample.friction, sample.damping,
+                       sample.external, L[0], L[1], L[2], centre[0], centre[1]})
     append(value, ',');
-  append(sample.external, '\n');
+  append(centre[2], '\n');
+}
+
+void RunWriter::look(const Model& model, const HistorySample& sample) {
+  const Stopwatch watch;
+  probes_.look(model, sample.time);
+  wall_ += watch.wall();
+  processor_ += watch.processor();
 }
 
 void RunWriter::progress(double time, double end_time, std::int64_t, double) {
   project_.reporter->progress(time / end_time);
 }
 
-void RunWriter::finish() { write_whole(project_.artefacts.history(), history_); }
+void RunWriter::finish() {
+  write_whole(project_.artefacts.history(), history_);
+  probes_.write(project_.artefacts);
+}
 
 }  // namespace scarp

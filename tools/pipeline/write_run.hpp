@@ -9,25 +9,29 @@
 #include "solver/core/frame_sink.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/stopwatch.hpp"
+#include "tools/pipeline/write_probes.hpp"
 
 namespace scarp {
 
-/// Removes the frames, their list and the history that an earlier run left.
+/// Removes the frames, their list, the history and the probes that an earlier run left.
 void clear_earlier_run(const Artefacts& artefacts);
 
-/// Receives a run and keeps it: a file per frame, their list and the history up to the last frame. What has its
-/// final name is whole at any moment.
+/// Receives a run and keeps it: a file per frame, their list, and the history and the probes up to the last frame. What
+/// has its final name is whole at any moment.
 class RunWriter : public FrameSink {
  public:
   /// Clears what an earlier run left, so that frames of two runs never mix.
-  explicit RunWriter(const Project& project);
+  RunWriter(const Project& project, const Model& model);
 
   void frame(const Model& model, double time, std::int64_t step) override;
   void sample(const HistorySample& sample) override;
+  bool watches() const override { return !project_.scenario.probes.empty(); }
+  void look(const Model& model, const HistorySample& sample) override;
   void progress(double time, double end_time, std::int64_t step, double dt) override;
   /// Writes the samples since the last frame.
   void finish();
 
+  ProbeWriter& probes() { return probes_; }
   std::size_t frames() const { return series_.size(); }
   /// Time spent in here, to be taken off the solver's.
   double wall() const { return wall_; }
@@ -35,6 +39,8 @@ class RunWriter : public FrameSink {
 
  private:
   const Project& project_;
+  Vec3 origin_;
+  ProbeWriter probes_;
   std::vector<std::pair<std::string, double>> series_;
   std::string history_;
   double wall_ = 0, processor_ = 0;

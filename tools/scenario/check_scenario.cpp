@@ -6,6 +6,7 @@
 #include <set>
 
 #include "solver/materials/law.hpp"
+#include "tools/scenario/formula.hpp"
 #include "tools/scenario/resolve.hpp"
 #include "tools/scenario/schema_kinds.hpp"
 #include "tools/scenario/suggest.hpp"
@@ -29,13 +30,17 @@ class Checker {
     check_names("scans", scan_names());
     check_names("bodies", names_of(scenario_.bodies));
     check_names("render", names_of(scenario_.render));
+    check_names("probes", names_of(scenario_.probes));
     for (std::size_t i = 0; i < scenario_.scans.size(); ++i) check_scan(i);
     check_materials();
     if (scenario_.bodies.empty()) fail({"bodies"}, "a scenario needs at least one body", "[[bodies]]");
     for (std::size_t i = 0; i < scenario_.bodies.size(); ++i) check_body(i);
+    check_field({"solver", "body_force"}, scenario_.solver.body_force);
     check_unique_fields();
     check_intervals();
+    check_run_out();
     for (std::size_t i = 0; i < scenario_.loads.size(); ++i) check_load(i);
+    for (std::size_t i = 0; i < scenario_.probes.size(); ++i) check_probe(i);
     for (std::size_t i = 0; i < scenario_.render.size(); ++i) check_render(i);
     for (std::size_t i = 0; i < scenario_.compare.size(); ++i)
       check_reference({"compare", std::to_string(i), "observed"}, scenario_.compare[i].observed, "scan", scan_names());
@@ -157,9 +162,21 @@ class Checker {
     const Steps steps{"bodies", std::to_string(i)};
     check_reference(steps + "material", body.material, "material", material_names());
     check_points_per_cell(steps + "points_per_cell", body.points_per_cell);
+    check_field(steps + "velocity_field", body.velocity_field);
     check_volume(steps + "volume", body.volume);
     for (std::size_t r = 0; r < body.materials.size(); ++r)
       check_rule(steps + "materials" + std::to_string(r), body.materials[r], body.volume);
+  }
+
+  void check_field(const Steps& steps, const std::vector<std::string>& formulas) const {
+    if (formulas.empty()) return;
+    if (static_cast<int>(formulas.size()) != scenario_.domain.dimension)
+      fail(steps, path_of(steps) + " must have one formula per axis",
+           std::to_string(scenario_.domain.dimension) + " of them");
+    for (std::size_t a = 0; a < formulas.size(); ++a)
+      if (const std::string mistake = mistake_in_formula(formulas[a]); !mistake.empty())
+        fail(steps + std::to_string(a), path_of(steps) + " is no formula: " + mistake,
+             "numbers, X, Y, Z, t, pi, + - * / ^ and functions");
   }
 
   void check_points_per_cell(const Steps& steps, int points) const {
@@ -254,6 +271,23 @@ class Checker {
            "[[0, 0], ...]");
   }
 
+  void check_probe(std::size_t i) const {
+    const Steps where{"probes", std::to_string(i), "where"};
+    const ProbeShape& shape = scenario_.probes[i].where;
+    const int dimension = scenario_.domain.dimension;
+    if (const auto* box = std::get_if<BoxProbe>(&shape))
+      check_corners(where + "box", box->box.min, box->box.max, dimension);
+    if (const auto* line = std::get_if<LineProbe>(&shape))
+      if (line->line.from == line->line.to)
+        fail(where + "line" + "to", path_of(where + "line") + " has no length", "ends that differ");
+    if (const auto* plane = std::get_if<PlaneProbe>(&shape)) {
+      if (norm(plane->plane.normal) == 0)
+        fail(where + "plane" + "normal", path_of(where + "plane" + "normal") + " has no direction",
+             "any length above 0");
+      if (plane->within) check_corners(where + "within", plane->within->min, plane->within->max, dimension);
+    }
+  }
+
   void check_unique_fields() const {
     std::set<OutputField> seen;
     for (std::size_t i = 0; i < scenario_.output.fields.size(); ++i)
@@ -297,6 +331,13 @@ class Checker {
     };
     refuse_below("every", scenario_.output.every, most_frames);
     refuse_below("history_every", scenario_.output.history_every, most_rows);
+  }
+
+  void check_run_out() const {
+    const auto& direction = scenario_.output.run_out.direction;
+    const Steps at{"output", "run_out", "direction"};
+    if (direction && (*direction)[0] == 0 && (flat() || (*direction)[1] == 0))
+      fail(at, path_of(at) + " has no horizontal part", flat() ? "x other than 0" : "x or y other than 0");
   }
 
   static Steps components_of(const std::string& field) {

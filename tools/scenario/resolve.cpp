@@ -43,6 +43,7 @@ void resolve_defaults(Scenario& scenario) {
   if (!scenario.solver.gravity) scenario.solver.gravity = flat ? Vec3{0, -kGravity, 0} : Vec3{0, 0, -kGravity};
   if (!scenario.output.every) scenario.output.every = scenario.solver.end_time / 20;
   if (!scenario.output.history_every) scenario.output.history_every = *scenario.output.every / 10;
+  if (!scenario.output.run_out.threshold) scenario.output.run_out.threshold = scenario.domain.cell;
   for (BodyOptions& body : scenario.bodies)
     if (body.points_per_cell == 0) body.points_per_cell = flat ? 4 : 8;
   for (CompareOptions& compare : scenario.compare) {

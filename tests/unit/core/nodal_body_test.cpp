@@ -75,7 +75,7 @@ struct Outcome {
 
 Outcome take_steps(Model model, const SolverOptions& options, const Kernels& kernels, int steps = 100) {
   Formulations method(model, options, 1, kernels);
-  Diagnostics diagnostics(model.particles.size());
+  Diagnostics diagnostics(model.particles);
   const bool nodal = options.back_end == BackEnd::nodal;
   for (const std::string& obstacle : method.obstacles()) EXPECT_EQ(obstacle.empty(), nodal) << obstacle;
   for (int step = 0; step < steps; ++step) method.step(2e-4);

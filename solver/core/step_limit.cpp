@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/core/step_limit.hpp"
+
+#include <cmath>
+
+#include "solver/core/current_wave_speed.hpp"
+#include "solver/core/history.hpp"
+
+namespace scarp {
+namespace {
+
+enum class Configuration { reference, current };
+
+/// c^2 of particle p as it stands, (m/s)^2.
+double wave_speed_squared(const Particles& particles, std::size_t p, const PreparedLaw& prepared, Configuration in) {
+  const Mat3& F = particles.deformation_gradient[p];
+  const Motion motion = make_motion(F, F);
+  return std::visit(
+      [&](const auto& law) {
+        const PointHistory history = load_history<std::decay_t<decltype(law)>>(particles, p);
+        return in == Configuration::reference ? law.wave_speed_squared(motion, history)
+                                              : current_wave_speed_squared(law, motion, history);
+      },
+      prepared);
+}
+
+void name_particle(StepLimit& limit, const Particles& particles, std::size_t p) {
+  limit.body = particles.body[p];
+  limit.material = particles.material[p];
+  limit.particle = particles.id[p];
+  limit.position = particles.position[p];
+}
+
+}  // namespace
+
+StepLimit find_step_limit(const Particles& particles, const TotalBody& body) {
+  StepLimit limit;
+  double most = -1;
+  for (std::size_t cell = 0; cell + 1 < body.grid.cell_begin.size(); ++cell) {
+    double mass = 0, stiffness = 0, stiffest = -1;
+    std::size_t place = body.grid.cell_begin[cell];
+    for (std::size_t p = place; p < body.grid.cell_begin[cell + 1]; ++p) {
+      const double c2 = wave_speed_squared(particles, p, body.laws[particles.material[p]], Configuration::reference);
+      mass += particles.mass[p];
+      stiffness += particles.mass[p] * c2;
+      if (!(c2 > stiffest)) continue;
+      stiffest = c2;
+      place = p;
+    }
+    if (!(stiffness / mass > most)) continue;
+    most = stiffness / mass;
+    limit.wave_speed = std::sqrt(most);
+    name_particle(limit, particles, place);
+  }
+  return limit;
+}
+
+StepLimit find_step_limit(const Particles& particles, const UpdatedGrid& grid, const std::vector<PreparedLaw>& laws) {
+  StepLimit limit;
+  double most = -1, fastest = -1;
+  std::size_t stiffest_at = 0, fastest_at = 0;
+  for (const std::uint32_t p : grid.particles) {
+    const double c2 = wave_speed_squared(particles, p, laws[particles.material[p]], Configuration::current);
+    const double speed = norm(particles.velocity[p]);
+    if (c2 > most) {
+      most = c2;
+      stiffest_at = p;
+    }
+    if (speed > fastest) {
+      fastest = speed;
+      fastest_at = p;
+    }
+  }
+  if (most < 0 || fastest < 0) return limit;  // nothing finite to name
+  limit.wave_speed = std::sqrt(most);
+  limit.particle_speed = fastest;
+  name_particle(limit, particles, fastest > limit.wave_speed ? fastest_at : stiffest_at);
+  return limit;
+}
+
+}  // namespace scarp
