@@ -101,7 +101,8 @@ def check(rows):
 def write(rows):
     TABLE.write_text(full_table(rows))
     text = README.read_text()
-    README.write_text(text.replace(between_markers(text), "\n" + summary_table(rows)))
+    before, after = text.split(BEGIN, 1)[0], text.split(END, 1)[1]
+    README.write_text(before + BEGIN + "\n" + summary_table(rows) + END + after)
     print(f"{len(rows)} rows written to {TABLE.relative_to(SOURCE)}")
 
 
