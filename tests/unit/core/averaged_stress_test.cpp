@@ -129,6 +129,7 @@ TEST(AveragedStress, ChangesNothingWhereTheDeformationIsUniform) {
       a.step(1e-3);
       b.step(1e-3);
       a.write_particles();
+      b.write_particles();
       // MUSL's second map is uniform inside only.
       for (std::size_t p = 0; p < plain.particles.size(); ++p) {
         const Vec3& X = plain.particles.reference_position[p];
@@ -151,6 +152,7 @@ TEST(AveragedStress, FirstUpdatedLagrangianStepIsTheTotalLagrangianOne) {
     const double dt = a.stable_time_step();
     a.step(dt);
     b.step(dt);
+    a.write_particles();
     for (std::size_t p = 0; p < total.particles.size(); ++p) {
       for (int i = 0; i < 9; ++i)
         EXPECT_NEAR(total.particles.deformation_gradient[p][i], updated.particles.deformation_gradient[p][i], 1e-14);
