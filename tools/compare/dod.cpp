@@ -11,11 +11,6 @@
 namespace scarp {
 namespace {
 
-void require_same_grid(const Heightfield& a, const Heightfield& b) {
-  if (a.columns != b.columns || a.rows != b.rows || a.cell != b.cell || a.x0 != b.x0 || a.y0 != b.y0)
-    throw Error("compare", "the two rasters of a difference are not on the same cells");
-}
-
 Heightfield subtract(const DodInput& input, DodReport& report) {
   const Heightfield &a = input.simulated, &b = input.observed;
   require_same_grid(a, b);

@@ -15,7 +15,9 @@ std::string quoted_if_needed(const std::string& name) {
   return quoted + '"';
 }
 
-void append(std::string& text, double value) {
+}  // namespace
+
+void append_number(std::string& text, double value) {
   if (std::isnan(value)) {  // a NaN's sign would be written
     text += "nan";
     return;
@@ -28,8 +30,6 @@ void append(std::string& text, double value) {
   text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format).ptr);
 }
 
-}  // namespace
-
 std::string per_point_csv(const PointCloud& cloud) {
   std::string text = "x,y,z";
   for (const PointScalar& scalar : cloud.scalars) text += "," + quoted_if_needed(scalar.name);
@@ -39,11 +39,11 @@ std::string per_point_csv(const PointCloud& cloud) {
     const Vec3 site = cloud.positions[i] + cloud.site.origin;
     for (int a = 0; a < 3; ++a) {
       if (a > 0) text += ',';
-      append(text, site[a]);
+      append_number(text, site[a]);
     }
     for (const PointScalar& scalar : cloud.scalars) {
       text += ',';
-      append(text, scalar.values[i]);
+      append_number(text, scalar.values[i]);
     }
     if (!cloud.normals.empty())
       for (double c : cloud.normals[i]) {

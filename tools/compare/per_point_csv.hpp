@@ -13,4 +13,8 @@ namespace scarp {
 /// the same, NaN as "nan". Names with commas or quotes are quoted (RFC 4180); lines end with a line feed.
 std::string per_point_csv(const PointCloud& cloud);
 
+/// Appends a number with the fewest digits that read back the same, plain where a reader would write it so; NaN as
+/// "nan".
+void append_number(std::string& text, double value);
+
 }  // namespace scarp

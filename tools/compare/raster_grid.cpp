@@ -101,6 +101,11 @@ double of_cell(std::vector<double>& heights, CellPolicy policy) {
 
 RasterGrid grid_of(const Heightfield& field) { return {field.columns, field.rows, field.cell, field.x0, field.y0}; }
 
+void require_same_grid(const Heightfield& a, const Heightfield& b) {
+  if (a.columns != b.columns || a.rows != b.rows || a.cell != b.cell || a.x0 != b.x0 || a.y0 != b.y0)
+    throw Error("compare", "the two rasters of a comparison are not on the same cells");
+}
+
 Heightfield empty_raster(const RasterGrid& grid, const SiteFrame& site) {
   checked(grid, grid.columns, grid.rows);
   return {grid.columns, grid.rows, grid.cell, grid.x0, grid.y0, std::vector<double>(grid.cells(), kNaN), site};

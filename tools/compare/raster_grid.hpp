@@ -26,6 +26,9 @@ struct RasterGrid {
 
 RasterGrid grid_of(const Heightfield& field);
 
+/// @throws Error unless both have the same cells.
+void require_same_grid(const Heightfield& a, const Heightfield& b);
+
 /// A raster without data on a grid. @throws Error for more than 2^28 cells.
 Heightfield empty_raster(const RasterGrid& grid, const SiteFrame& site);
 
