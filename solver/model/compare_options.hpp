@@ -5,8 +5,10 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "solver/model/c2c_options.hpp"
+#include "solver/model/dod_options.hpp"
 #include "solver/model/m3c2_options.hpp"
 #include "solver/model/schema.hpp"
 
@@ -21,11 +23,15 @@ struct enum_names<SimulatedFrame> {
 };
 
 /// How two surfaces are held against each other.
-enum class CompareMethod { c2c, m3c2, c2m };
+enum class CompareMethod { c2c, m3c2, c2m, dod, footprint };
 template <>
 struct enum_names<CompareMethod> {
-  static constexpr std::array<std::pair<std::string_view, CompareMethod>, 3> value{
-      {{"c2c", CompareMethod::c2c}, {"m3c2", CompareMethod::m3c2}, {"c2m", CompareMethod::c2m}}};
+  static constexpr std::array<std::pair<std::string_view, CompareMethod>, 5> value{
+      {{"c2c", CompareMethod::c2c},
+       {"m3c2", CompareMethod::m3c2},
+       {"c2m", CompareMethod::c2m},
+       {"dod", CompareMethod::dod},
+       {"footprint", CompareMethod::footprint}}};
 };
 
 /// Whose rules decide where programs of the field differ.
@@ -66,6 +72,10 @@ struct CompareOptions {
   double simulated_spacing = 0;
   C2cOptions c2c;
   M3c2Options m3c2;
+  DodOptions dod;
+  std::optional<std::string> before;
+  FootprintOptions footprint;
+  std::vector<Vec2> section;
   CompareTolerance tolerance;
 
   template <class V>
@@ -76,7 +86,8 @@ struct CompareOptions {
     v("method", method,
       Spec{.text =
                "c2c: distance to the nearest point; m3c2: distance along normals between local averages, with a level "
-               "of detection"});
+               "of detection; dod: difference of the two as rasters, with volumes; footprint: overlap and run-out of "
+               "two rasters of thickness (two files only)"});
     v("convention", convention, Spec{.text = "whose rules decide where programs differ"});
     v("max_distance", max_distance,
       Spec{.text = "beyond it a point has no counterpart (NaN); 0 means ten cells", .unit = "m", .at_least = 0});
@@ -92,6 +103,16 @@ struct CompareOptions {
            .at_least = 0});
     v("c2c", c2c, Spec{.text = "what method c2c measures to"});
     v("m3c2", m3c2, Spec{.text = "how method m3c2 takes normals and averages"});
+    v("dod", dod, Spec{.text = "the difference of two rasters"});
+    v("before", before,
+      Spec{.text =
+               "the ground before, a scan (of two files: a file). dod: where a surface differs from it by more than "
+               "footprint.threshold is its footprint; footprint: the terrain, for the drop"});
+    v("footprint", footprint, Spec{.text = "footprint and run-out"});
+    v("section", section,
+      Spec{.text = "corners of a line in plan along which both surfaces are cut; dod only",
+           .unit = "m",
+           .role = Role::position});
     v("tolerance", tolerance, Spec{.text = "limits whose excess ends the program with exit code 4"});
   }
 };

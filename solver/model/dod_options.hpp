@@ -72,7 +72,6 @@ struct DodOptions {
   double confidence = 0.95;
   std::optional<double> uncertainty_simulated;
   std::optional<double> uncertainty_observed;
-  double registration_error = 0;
   double correlation_range = 0;
   StableOptions stable;
 
@@ -105,16 +104,36 @@ struct DodOptions {
                    "ground leaves over, or 0 without stable ground",
            .unit = "m",
            .at_least = 0});
-    v("registration_error", registration_error,
-      Spec{.text = "standard deviation of a vertical shift between the two that all cells share",
-           .unit = "m",
-           .at_least = 0});
     v("correlation_range", correlation_range,
       Spec{.text = "distance at which errors of heights are no longer correlated (range of a spherical variogram); 0: "
                    "not known, no correlated uncertainty is given",
            .unit = "m",
            .at_least = 0});
     v("stable", stable, Spec{.text = "stable ground, for the datum bias and the spread of the differences"});
+  }
+};
+
+/// What of a flow counts, and along what it is measured.
+struct FootprintOptions {
+  double threshold = 0.1;
+  std::vector<Vec2> path;
+  double width_limit = 0;
+
+  template <class V>
+  void describe(V&& v) {
+    v("threshold", threshold,
+      Spec{.text = "a cell belongs to the footprint where its thickness or change of height is above this",
+           .unit = "m",
+           .at_least = 0});
+    v("path", path,
+      Spec{.text = "corners of the line in plan along which run-out is measured; default: the line of steepest descent "
+                   "from the highest ground of the observed footprint",
+           .unit = "m",
+           .role = Role::position});
+    v("width_limit", width_limit,
+      Spec{.text = "run-out leaves out what is farther than half of this from the path; 0: nothing",
+           .unit = "m",
+           .at_least = 0});
   }
 };
 

@@ -37,6 +37,10 @@ Comparison compare(ComparedSide simulated, const ComparedSide& observed, const P
     case CompareMethod::c2m:
       return compare_c2m(std::move(need<PointCloud>(simulated, "simulated", options)),
                          need<TriangleMesh>(observed, "observed", options), options, threads);
+    case CompareMethod::dod:
+    case CompareMethod::footprint:
+      throw Error("compare", "method \"" + std::string(name_of(options.method)) +
+                                 "\" and two sides that are not on the same cells");
   }
   return {};
 }

@@ -128,7 +128,7 @@ DodResult dem_of_difference(const DodInput& input, const DodOptions& options) {
   result.difference = subtract(input, report);
   find_bias(input, options, result.difference, report);
   report.shared_sigma =
-      std::hypot(options.registration_error, report.bias_removed ? report.stable->bias_standard_error : 0);
+      std::hypot(input.registration_error, report.bias_removed ? report.stable->bias_standard_error : 0);
   report.statistics = statistics_of(result.difference);
   const std::vector<double> sigma = sigma_of(input, options, result.difference, report);
   result.level_of_detection = empty_raster(report.grid, input.simulated.site);

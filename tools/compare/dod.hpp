@@ -66,6 +66,7 @@ struct DodInput {
   /// Standard deviation of each simulated height, m; empty: options.uncertainty_simulated or 0.
   const std::vector<double>& sigma_simulated;
   const Heightfield* stable_mask = nullptr;  ///< for options.stable.ground = mask
+  double registration_error = 0;             ///< standard deviation of a vertical shift that all cells share, m
 };
 
 /// DEM of difference: observed - simulated in every cell where both have data, its level of detection

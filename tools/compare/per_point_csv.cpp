@@ -48,7 +48,7 @@ std::string per_point_csv(const PointCloud& cloud) {
     if (!cloud.normals.empty())
       for (double c : cloud.normals[i]) {
         text += ',';
-        append(text, c);
+        append_number(text, c);
       }
     text += '\n';
   }

@@ -73,8 +73,8 @@ RunoutReport runout_along(const Heightfield& thickness, const Heightfield* terra
   report.threshold = threshold;
   report.width_limit = width_limit;
   const std::vector<FlowCell> flow = flow_along(thickness, path, report);
-  const auto [first, last] = std::minmax_element(flow.begin(), flow.end(),
-                                                 [](const FlowCell& a, const FlowCell& b) { return a.s < b.s; });
+  const auto [first, last] =
+      std::minmax_element(flow.begin(), flow.end(), [](const FlowCell& a, const FlowCell& b) { return a.s < b.s; });
   report.s_start = first->s;
   report.s_runout = last->s;
   report.start = first->centre;

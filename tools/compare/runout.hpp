@@ -10,7 +10,7 @@ namespace scarp {
 
 /// How far a flow came along a path, and what its deposit measures. Lengths in plan, m; angles in degrees.
 struct RunoutReport {
-  double threshold = 0;  ///< a cell belongs to the flow where its thickness is above (not at) it, m
+  double threshold = 0;              ///< a cell belongs to the flow where its thickness is above (not at) it, m
   double width_limit = 0;            ///< cells farther than half of it from the path are left out, m; 0: none is
   std::size_t cells = 0;             ///< of the flow along the path
   std::size_t cells_beside = 0;      ///< farther than half the width limit, or beyond an end of the path

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: The scarp developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/pipeline/info.hpp"
+
 #include <cctype>
 #include <cstdio>
 #include <fstream>
@@ -109,13 +111,6 @@ bool starts_with(const std::filesystem::path& file, std::string_view magic) {
   return in.read(start.data(), static_cast<std::streamsize>(start.size())) && start == magic;
 }
 
-bool holds_raster(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string start(4096, '\0');
-  in.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return is_raster(std::string_view(start).substr(0, static_cast<std::size_t>(in.gcount())));
-}
-
 std::string lower_extension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -135,6 +130,13 @@ bool has_faces(const std::filesystem::path& file) {
 bool holds_mesh(const std::filesystem::path& file) {
   const std::string extension = lower_extension(file);
   return extension == ".obj" || extension == ".stl" || (starts_with(file, "ply") && has_faces(file));
+}
+
+bool holds_raster(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string start(4096, '\0');
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return is_raster(std::string_view(start).substr(0, static_cast<std::size_t>(in.gcount())));
 }
 
 std::string file_info(const std::filesystem::path& file) {

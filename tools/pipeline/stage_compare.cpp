@@ -23,6 +23,7 @@
 #include "tools/pipeline/refuse_to_overwrite.hpp"
 #include "tools/pipeline/stopwatch.hpp"
 #include "tools/pipeline/summary.hpp"
+#include "tools/pipeline/surface_pair.hpp"
 
 namespace scarp {
 namespace {
@@ -36,6 +37,26 @@ void write_comparison(const std::filesystem::path& stem, const Comparison& resul
   if (result.cloud.empty()) return;
   write_whole(stem.string() + ".csv", per_point_csv(result.cloud));
   write_las(stem.string() + ".las", result.cloud);
+}
+
+/// Both sides, the mask of stable ground and the ground before on the same cells.
+SurfaceComparison on_same_cells(SurfaceSources sources, CompareOptions options, int threads) {
+  if (options.dod.stable.ground == StableGround::mask) {
+    if (!options.dod.stable.mask)
+      throw Error("compare", "stable ground by a mask", "no mask", "dod.stable.mask (--mask)");
+    sources.stable_mask = read_surface_source(options.dod.stable.mask->path, HeightUnit::metre);
+  }
+  const SurfacePair pair = make_surface_pair(std::move(sources), options, threads);
+  return options.method == CompareMethod::dod ? compare_surfaces(pair, options) : compare_thickness(pair, options);
+}
+
+void write_comparison(const std::filesystem::path& stem, const SurfaceComparison& result) {
+  write_comparison(stem, result.comparison);
+  if (result.section) write_whole(stem.string() + "_section.csv", section_csv(*result.section));
+}
+
+bool by_rasters(const CompareOptions& options) {
+  return options.method == CompareMethod::dod || options.method == CompareMethod::footprint;
 }
 
 /// A file in metres, heights included.
@@ -94,6 +115,16 @@ ComparisonReport finish(const Comparison& result, const DirectComparison& reques
   return result.report;
 }
 
+/// A number of a report, or nothing where the report has none of that name.
+std::optional<double> find_number(const ComparisonReport& report, const std::string& group,
+                                  const std::string& measure) {
+  for (const MeasureGroup& g : report.groups)
+    for (const Measure& m : g.measures)
+      if (g.name == group && m.name == measure)
+        if (const double* value = std::get_if<double>(&m.value)) return *value;
+  return std::nullopt;
+}
+
 std::string distance_phrase(const DistanceReport& report) {
   char text[256];
   if (report.matched == 0)
@@ -104,6 +135,44 @@ std::string distance_phrase(const DistanceReport& report) {
                   "%zu of %zu points matched, mean %.4g m, median %.4g m, 95 %% within %.4g m, largest %.4g m",
                   report.matched, report.points, report.mean, report.median, report.percentile_95, report.largest);
   return text;
+}
+
+ComparisonReport compare_as_clouds(const Project& project, const CompareOptions& options, const Frame& frame,
+                                   const SiteFrame& site) {
+  const Comparison result = compare_clouds(free_surface(frame), read_cleaned_scan(project, options.observed, site),
+                                           options, HeightUnit::metre, project.threads);
+  write_comparison(project.artefacts.compared(options.name, ""), result);
+  return result.report;
+}
+
+ComparisonReport compare_as_rasters(const Project& project, const CompareOptions& options, Frame frame,
+                                    const SiteFrame& site) {
+  if (options.method == CompareMethod::footprint)
+    throw Error("compare", "comparison \"" + options.name + "\": method footprint takes two rasters of thickness",
+                "a frame and a scan", "method = \"dod\" with a scan of the ground before");
+  SurfaceSources sources{std::move(frame), read_cleaned_scan(project, options.observed, site), {}, {}};
+  if (options.before) sources.before = read_cleaned_scan(project, *options.before, site);
+  const SurfaceComparison result = on_same_cells(std::move(sources), options, project.threads);
+  write_comparison(project.artefacts.compared(options.name, ""), result);
+  return result.comparison.report;
+}
+
+ComparisonReport compare_files_as_rasters(const DirectComparison& request, int threads) {
+  SurfaceSources sources{read_surface_source(request.simulated, request.height_unit),
+                         read_surface_source(request.observed, request.height_unit),
+                         {},
+                         {}};
+  std::vector<std::string> names{request.simulated.string(), request.observed.string()};
+  std::vector<std::string> crs{site_of(sources.simulated).crs, site_of(sources.observed).crs};
+  if (request.options.before) {
+    sources.before = read_surface_source(*request.options.before, request.height_unit);
+    names.push_back(*request.options.before);
+    crs.push_back(site_of(*sources.before).crs);
+  }
+  require_same_crs(names, crs);
+  const SurfaceComparison result = on_same_cells(std::move(sources), request.options, threads);
+  write_comparison((request.output / request.options.name).string(), result);
+  return result.comparison.report;
 }
 
 }  // namespace
@@ -119,13 +188,11 @@ void compare_stage(Project& project, Outcome& outcome) {
   Json reports = Json::array();
   for (const CompareOptions& options : project.scenario.compare) {
     const auto& path = (options.simulated == SimulatedFrame::last ? frames.back() : frames.front()).first;
-    const Comparison result =
-        compare_clouds(free_surface(read_frame(path)), read_cleaned_scan(project, options.observed, site), options,
-                       HeightUnit::metre, project.threads);
-    write_comparison(project.artefacts.compared(options.name, ""), result);
-    reports.push_back(to_json(result.report));
-    project.reporter->note(in_one_line(result.report));
-    within_tolerance(result.report, options.tolerance, &outcome.exceeded);
+    const ComparisonReport report = by_rasters(options) ? compare_as_rasters(project, options, read_frame(path), site)
+                                                        : compare_as_clouds(project, options, read_frame(path), site);
+    reports.push_back(to_json(report));
+    project.reporter->note(in_one_line(report));
+    within_tolerance(report, options.tolerance, &outcome.exceeded);
     project.reporter->progress(static_cast<double>(reports.size()) /
                                static_cast<double>(project.scenario.compare.size()));
   }
@@ -137,8 +204,16 @@ ComparisonReport compare_files(const DirectComparison& request, int threads, Out
   const std::string stem = (request.output / request.options.name).string();
   std::vector<std::filesystem::path> inputs{request.simulated, request.observed};
   if (request.options.m3c2.core_points) inputs.emplace_back(request.options.m3c2.core_points->path);
-  for (const char* extension : {".csv", ".json", ".las"})
+  if (request.options.before) inputs.emplace_back(*request.options.before);
+  if (request.options.dod.stable.mask) inputs.emplace_back(request.options.dod.stable.mask->path);
+  for (const char* extension :
+       {".csv", ".json", ".las", "_difference.asc", "_level_of_detection.asc", "_footprint.asc", "_section.csv"})
     for (const std::filesystem::path& input : inputs) refuse_to_overwrite(input, stem + extension);
+  if (by_rasters(request.options)) {
+    const ComparisonReport report = compare_files_as_rasters(request, threads);
+    within_tolerance(report, request.options.tolerance, &outcome.exceeded);
+    return report;
+  }
   PointCloud simulated = read_either(request.simulated, request.height_unit);
   if (request.options.method == CompareMethod::c2m && holds_mesh(request.observed))
     return finish(compare(std::move(simulated), read_metric_mesh(request), nullptr, request.options, threads), request,
@@ -152,6 +227,19 @@ ComparisonReport compare_files(const DirectComparison& request, int threads, Out
 std::string in_one_line(const ComparisonReport& report) {
   std::string line = report.name + ":";
   if (report.distances) line += " " + distance_phrase(*report.distances);
+  const auto number = [&](const char* group, const char* measure) { return find_number(report, group, measure); };
+  char text[256];
+  if (const auto net = number("volumes", "net")) {
+    std::snprintf(text, sizeof text, " added %.6g m3, removed %.6g m3, net %.6g m3; detected above %.3g m: %.3g %%",
+                  *number("volumes", "added"), *number("volumes", "removed"), *net,
+                  *number("significance", "level_of_detection"), *number("significance", "significant_share"));
+    line += text;
+  }
+  if (const auto iou = number("footprint", "iou")) {
+    std::snprintf(text, sizeof text, " footprint IoU %.3g, precision %.3g, recall %.3g", *iou,
+                  *number("footprint", "precision"), *number("footprint", "recall"));
+    line += text;
+  }
   return line;
 }
 

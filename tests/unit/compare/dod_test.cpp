@@ -21,9 +21,9 @@ Heightfield raster(const RasterGrid& grid, const std::function<double(double, do
 }
 
 DodResult compare(const Heightfield& simulated, const Heightfield& observed, const DodOptions& options = {},
-                  const Heightfield* mask = nullptr) {
+                  const Heightfield* mask = nullptr, double registration_error = 0) {
   const std::vector<double> no_sigma;
-  return dem_of_difference({simulated, observed, no_sigma, mask}, options);
+  return dem_of_difference({simulated, observed, no_sigma, mask, registration_error}, options);
 }
 
 double hill(double x, double y) { return 0.1 * x + 3 * std::sin(0.05 * y); }
@@ -61,9 +61,8 @@ TEST(Dod, LevelOfDetectionAndItsVolumes) {
   DodOptions options;
   options.uncertainty_simulated = 0.3;
   options.uncertainty_observed = 0.4;
-  options.registration_error = 0.1;
   const DodResult result = compare(raster(grid, [](double, double) { return 7.0; }),
-                                   raster(grid, [](double x, double) { return 7.0 + 0.1 * x; }), options);
+                                   raster(grid, [](double x, double) { return 7.0 + 0.1 * x; }), options, nullptr, 0.1);
   const double limit = 1.959963984540054 * (0.5 + 0.1);
   EXPECT_NEAR(result.report.level_of_detection, limit, 1e-12);
   EXPECT_NEAR(result.level_of_detection.at(3, 4), limit, 1e-12);

@@ -86,9 +86,8 @@ TEST(PlanPath, SteepestLineOfAnInclineIsStraight) {
 TEST(Runout, OfASlabOnAnIncline) {
   const RasterGrid grid{100, 40, 1, 0.5, 0.5};
   const Heightfield terrain = raster(grid, [](double x, double) { return 60 - 0.5 * x; });
-  const Heightfield flow = raster(grid, [](double x, double y) {
-    return x > 10 && x < 50 && y > 10 && y < 30 ? 2 + (x < 30 ? 1.0 : 0.0) : 0.05;
-  });
+  const Heightfield flow = raster(
+      grid, [](double x, double y) { return x > 10 && x < 50 && y > 10 && y < 30 ? 2 + (x < 30 ? 1.0 : 0.0) : 0.05; });
   const RunoutReport report = runout_along(flow, &terrain, PlanPath({{0, 20}, {100, 20}}), 0.1, 0);
   EXPECT_EQ(report.cells, 800u);
   EXPECT_EQ(report.s_start, 10.5);
