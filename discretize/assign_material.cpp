@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "discretize/plan_polygon.hpp"
+#include "solver/materials/law.hpp"
 #include "solver/model/error.hpp"
 #include "solver/model/parallel.hpp"
 
@@ -85,18 +86,19 @@ struct Assignment {
   }
 };
 
-double density_of(const Material& law) {
-  return std::visit([](const auto& l) { return l.density; }, law);
-}
-
-/// Masses, and the volumes by material: all points of a body have one volume, so counting is exact.
+/// Masses, stresses at rest, and the volumes by material: all points of a body have one volume, so counting is exact.
 void weigh(const Body& body, int threads, Model& model, VolumeReport& report) {
   Particles& particles = model.particles;
   std::vector<double> density;
-  for (const NamedMaterial& material : model.materials) density.push_back(density_of(material.law));
+  std::vector<Sym6> stress;
+  for (const NamedMaterial& material : model.materials) {
+    density.push_back(density_of(material.law));
+    stress.push_back(rest_stress(material.law));
+  }
   parallel_for(body.end - body.begin, threads, [&](std::size_t n) {
     const std::size_t p = body.begin + n;
     particles.mass[p] = density[particles.material[p]] * particles.reference_volume[p];
+    particles.stress[p] = stress[particles.material[p]];
   });
   std::vector<std::size_t> count(model.materials.size(), 0);
   for (std::size_t p = body.begin; p < body.end; ++p) ++count[particles.material[p]];

@@ -59,7 +59,8 @@ bool sweep_particle(const Sweep& sweep, const Law& law, std::size_t p, double J_
   if (!(J > 0 && J < 1e100)) return false;
   Mat3& F = particles.deformation_gradient[p];
   const double scale = dilation<D>(J_cell / J);
-  const Motion motion = make_motion(F, sweep.update ? dilated<D>(compatible, scale) : F);
+  const Motion motion =
+      make_motion(F, sweep.update ? dilated<D>(compatible, scale) : F, sweep.update ? 1 / sweep.dt : 0);
   F = motion.F;
   if (!(motion.J > 0 && motion.J < 1e100)) return false;
   PointHistory history = load_history<Law>(particles, p);

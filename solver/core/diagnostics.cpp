@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/core/history.hpp"
 #include "solver/model/parallel.hpp"
 
 namespace scarp {
@@ -15,11 +16,10 @@ template <class Law>
 void add_material_energy(HistorySample& sum, const Particles& particles, const Law& law, std::size_t begin,
                          std::size_t end) {
   for (std::size_t p = begin; p < end; ++p) {
-    PointHistory history;
-    if constexpr (Law::has_history) history.elastic_left_cauchy_green = particles.elastic_left_cauchy_green[p];
+    const PointHistory history = load_history<Law>(particles, p);
     const Mat3& F = particles.deformation_gradient[p];
     sum.strain += particles.reference_volume[p] * law.stored_energy(make_motion(F, F), history);
-    if constexpr (Law::has_history) sum.plastic += particles.reference_volume[p] * particles.plastic_work[p];
+    if constexpr (Law::has_history) sum.plastic += particles.reference_volume[p] * history.plastic_work;
   }
 }
 

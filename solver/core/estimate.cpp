@@ -7,6 +7,7 @@
 
 #include "solver/core/check_model.hpp"
 #include "solver/core/current_wave_speed.hpp"
+#include "solver/core/history.hpp"
 #include "solver/core/output_clock.hpp"
 #include "solver/core/reference_grid.hpp"
 #include "solver/core/updated_conditions.hpp"
@@ -31,33 +32,39 @@ double grid_bytes(const GridCounts& counts, int corners) {
   return counts.cells * per_cell + counts.nodes * per_node;
 }
 
+std::vector<PreparedLaw> prepare_all(const Model& model, double cell) {
+  std::vector<PreparedLaw> laws;
+  for (const NamedMaterial& material : model.materials) laws.push_back(prepare(material.law, cell));
+  return laws;
+}
+
 double fastest_wave_per_cell(const Model& model, const Body& body) {
+  const std::vector<PreparedLaw> laws = prepare_all(model, body.lattice.cell);
   double c2 = 0;
   for (std::size_t p = body.begin; p < body.end; ++p) {
     const Mat3& F = model.particles.deformation_gradient[p];
     std::visit(
-        [&](const auto& m) {
-          const typename std::decay_t<decltype(m)>::Law law(m);
-          const PointHistory history{model.particles.elastic_left_cauchy_green[p], 0, 0};
+        [&](const auto& law) {
+          const PointHistory history = load_history<std::decay_t<decltype(law)>>(model.particles, p);
           c2 = std::max(c2, law.wave_speed_squared(make_motion(F, F), history));
         },
-        model.materials[model.particles.material[p]].law);
+        laws[model.particles.material[p]]);
   }
   return std::sqrt(c2) / body.lattice.cell;
 }
 
 /// (c + |v|) / cell in the current configuration.
 double fastest_signal_per_cell(const Model& model, const UpdatedGrid& grid) {
+  const std::vector<PreparedLaw> laws = prepare_all(model, grid.cell);
   double c2 = 0, speed = 0;
   for (std::uint32_t p : grid.particles) {
     const Mat3& F = model.particles.deformation_gradient[p];
     std::visit(
-        [&](const auto& m) {
-          const typename std::decay_t<decltype(m)>::Law law(m);
-          const PointHistory history{model.particles.elastic_left_cauchy_green[p], 0, 0};
+        [&](const auto& law) {
+          const PointHistory history = load_history<std::decay_t<decltype(law)>>(model.particles, p);
           c2 = std::max(c2, current_wave_speed_squared(law, make_motion(F, F), history));
         },
-        model.materials[model.particles.material[p]].law);
+        laws[model.particles.material[p]]);
     speed = std::max(speed, norm(model.particles.velocity[p]));
   }
   return (std::sqrt(c2) + speed) / grid.cell;

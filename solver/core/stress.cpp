@@ -27,11 +27,13 @@ inline void sweep_particles(const Sweep& sweep, const Law& law, std::size_t begi
                             const typename LinearCell<D>::Values (&v)[D], CellSums<D>& sums) {
   Particles& particles = sweep.particles;
   const double per_cell = 1 / sweep.body.grid.cell;
+  const double per_dt = mode == Mode::update ? 1 / sweep.dt : 0;
   typename LinearCell<D>::Values m;
   for (std::size_t p = begin; p < end; ++p) {
     LinearCell<D>::monomials(sweep.body.grid.xi[p - sweep.body.begin], m);
     Mat3& F = particles.deformation_gradient[p];
-    const Motion motion = make_motion(F, mode == Mode::update ? advanced_gradient<D>(F, v, m, sweep.dt * per_cell) : F);
+    const Mat3 next = mode == Mode::update ? advanced_gradient<D>(F, v, m, sweep.dt * per_cell) : F;
+    const Motion motion = make_motion(F, next, per_dt);
     F = motion.F;
     bool valid = motion.J > 0 && motion.J < 1e100;
     if (valid) {

@@ -38,16 +38,16 @@ Mat3 advanced(const Mat3& F, const Mat3& L, double dt) {
   return next;
 }
 
-/// Brings particle p from its F to `F`, with its stress and history where `move`.
+/// Brings particle p from its F to `F`, with its stress and history where `per_dt` is above 0.
 /// c^2 in the current configuration, or -1 where the state is no longer valid.
 template <class Law>
-double deform(Particles& particles, std::size_t p, const Law& law, const Mat3& F, bool move) {
-  const Motion motion = make_motion(particles.deformation_gradient[p], F);
+double deform(Particles& particles, std::size_t p, const Law& law, const Mat3& F, double per_dt) {
+  const Motion motion = make_motion(particles.deformation_gradient[p], F, per_dt);
   particles.deformation_gradient[p] = F;
   if (!(motion.J > 0 && motion.J < 1e100)) return -1;
   PointHistory history = load_history<Law>(particles, p);
   Sym6& sigma = particles.stress[p];
-  if (move) {
+  if (per_dt > 0) {
     sigma = law.stress(motion, history);
     store_history<Law>(particles, p, history);
   }
@@ -81,6 +81,7 @@ void average_increments(const Particles& particles, UpdatedGrid& grid, std::size
 template <int D, class S>
 void deform_cell(Particles& particles, UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, double dt, bool move,
                  std::size_t c, UpdatedOutcome& outcome) {
+  const double per_dt = move ? 1 / dt : 0;
   Vec3 v[kWindow<D, S>];
   if (move)
     for (int k = 0; k < kWindow<D, S>; ++k) v[k] = grid.velocity[window_node<D, S>(grid, c, k)];
@@ -96,7 +97,7 @@ void deform_cell(Particles& particles, UpdatedGrid& grid, const std::vector<Prep
                    : grid.averages ? multiply(grid.trial[m], old)
                                    : advanced(old, velocity_gradient<D, S>(grid, c, m, v), dt);
     const double c2 =
-        std::visit([&](const auto& law) { return deform(particles, p, law, F, move); }, laws[particles.material[p]]);
+        std::visit([&](const auto& law) { return deform(particles, p, law, F, per_dt); }, laws[particles.material[p]]);
     note(outcome, c2, p);
   }
 }

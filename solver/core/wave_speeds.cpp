@@ -41,11 +41,7 @@ std::vector<Vec2> material_wave_speeds(const Model& model) {
   for (const NamedMaterial& material : model.materials)
     speeds.push_back(std::visit(
         [](const auto& m) {
-          const typename std::decay_t<decltype(m)>::Law law(m);
-          const double c2 = law.wave_speed_squared(make_motion(kIdentity, kIdentity), PointHistory{});
-          double shear = 0;
-          if constexpr (requires { m.shear_modulus(); }) shear = m.shear_modulus();
-          return Vec2{std::sqrt(c2), std::sqrt(shear / m.density)};
+          return Vec2{m.wave_speed(), m.shear_wave_speed()};
         },
         material.law));
   return speeds;

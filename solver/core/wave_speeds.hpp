@@ -10,8 +10,7 @@ namespace scarp {
 
 bool has_absorbing_face(const Domain& domain);
 
-/// Per material, at rest: speed of compression waves c_p and of shear waves c_s, m/s. A law without a shear modulus
-/// has c_s = 0.
+/// Per material, at rest: speed of compression waves c_p and of shear waves c_s, m/s; of a fluid, c_s = 0.
 std::vector<Vec2> material_wave_speeds(const Model& model);
 
 /// The same at the nodes of a body's reference grid, weighted by phi_Ip m_p.

@@ -80,7 +80,7 @@ double DruckerPrager::Law::wave_speed_squared(const Motion& motion, const PointH
   return hencky_stiffness_bound(K_ + 4 * G_ / 3, motion, history.elastic_left_cauchy_green) * per_density_;
 }
 
-double DruckerPrager::Law::yield_function(const Sym6& sigma, double) const {
+double DruckerPrager::Law::yield_function(const Sym6& sigma, const PointHistory&) const {
   const double p = (sigma[0] + sigma[1] + sigma[2]) / 3;
   const double x = sigma[0] - p, y = sigma[1] - p, z = sigma[2] - p;
   const double shear = sigma[3] * sigma[3] + sigma[4] * sigma[4] + sigma[5] * sigma[5];

@@ -88,7 +88,7 @@ class DruckerPrager::Law {
   double wave_speed_squared(const Motion& motion, const PointHistory& history) const;
 
   /// The larger of f and p - tension_strength of a Cauchy stress, Pa; the plastic strain does not enter.
-  double yield_function(const Sym6& sigma, double equivalent_plastic_strain = 0) const;
+  double yield_function(const Sym6& sigma, const PointHistory& history = {}) const;
 
  private:
   double G_, K_, per_density_, per_cone_stiffness_;

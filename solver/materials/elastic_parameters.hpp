@@ -20,6 +20,7 @@ struct ElasticParameters {
   double bulk_modulus() const { return youngs_modulus / (3 * (1 - 2 * poissons_ratio)); }
   /// Speed of compression waves, sqrt((lambda + 2 mu) / rho), m/s.
   double wave_speed() const { return std::sqrt((lambda() + 2 * shear_modulus()) / density); }
+  double shear_wave_speed() const { return std::sqrt(shear_modulus() / density); }
 
   template <class V>
   void describe_elastic(V&& v) {

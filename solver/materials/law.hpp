@@ -3,13 +3,15 @@
 //
 // The contract of a law. Tension is positive; F = dx/dX, J = det F > 0; energies are per reference volume.
 //
-//   rest          stress(F = I, b_e = I) = 0
+//   rest          stress(F = I, b_e = I) = rest_stress(), 0 unless the law states another; stored_energy = 0
 //   objectivity   F -> Q F, b_e -> Q b_e Q^T gives sigma -> Q sigma Q^T, for every rotation Q
 //   energy        where nothing dissipates, P = J sigma F^-T = d stored_energy / d F
 //   dissipation   plastic_work and equivalent_plastic_strain never fall
-//   admissible    yield_function(sigma, equivalent_plastic_strain) <= rounding, which every law with a history has
+//   admissible    where the law yields, yield_function(sigma, history) <= rounding in the limit of slow motion
+//                 (motion.per_dt = 0); in fast motion a rate-dependent law may exceed it
 //   wave speed    rho0 c^2 >= max of (m x N) : dP/dF : (m x N) over unit m, N: the bound of the time step on a
-//                 grid in the reference configuration, for the current F and the elastic tangent
+//                 grid in the reference configuration, for the current F and the elastic tangent. A law whose viscosity
+//                 shortens the stable step further raises c to what bounds it, for the cell that it is prepared for
 //
 // tests/unit/materials/law_test.cpp and plastic_law_test.cpp hold every alternative of `Material` against it.
 #pragma once
@@ -28,7 +30,13 @@ namespace scarp {
 /// the size of the cell takes it as a second argument of its constructor.
 template <class M>
 concept MaterialLaw = std::constructible_from<typename M::Law, const M&> &&
-    requires(const typename M::Law& law, const Motion& motion, PointHistory& history, const PointHistory& read_only) {
+    requires(const M& m, const typename M::Law& law, const Motion& motion, PointHistory& history,
+             const PointHistory& read_only) {
+  /// In the reference configuration, kg/m3.
+  { m.density } -> std::convertible_to<double>;
+  /// Speeds of compression and of shear waves in the reference configuration at rest, m/s; a fluid has no shear waves.
+  { m.wave_speed() } -> std::same_as<double>;
+  { m.shear_wave_speed() } -> std::same_as<double>;
   /// Whether `stress` reads and writes the history; if not, it is never loaded.
   { M::Law::has_history } -> std::convertible_to<bool>;
   /// Cauchy stress at motion.F, Pa; brings the history from F_old to F.
@@ -62,9 +70,19 @@ inline PreparedLaw prepare(const Material& material, double cell = 0) {
   return std::visit(law, material);
 }
 
-/// The parameters that every law shares.
-inline const ElasticParameters& elastic_parameters(const Material& material) {
-  return std::visit([](const auto& m) -> const ElasticParameters& { return m; }, material);
+/// Mass density in the reference configuration, kg/m3.
+inline double density_of(const Material& material) {
+  return std::visit([](const auto& m) { return m.density; }, material);
+}
+
+/// Cauchy stress of a point that has not moved, Pa.
+inline Sym6 rest_stress(const Material& material) {
+  return std::visit(
+      [](const auto& m) -> Sym6 {
+        if constexpr (requires { m.rest_stress(); }) return m.rest_stress();
+        return {0, 0, 0, 0, 0, 0};
+      },
+      material);
 }
 
 /// What the schema's ranges per key cannot say, and the ranges themselves for models that come from a file.

@@ -156,10 +156,10 @@ double MohrCoulomb::Law::wave_speed_squared(const Motion& motion, const PointHis
   return hencky_stiffness_bound(K_ + 4 * G_ / 3, motion, history.elastic_left_cauchy_green) * per_density_;
 }
 
-double MohrCoulomb::Law::yield_function(const Sym6& sigma, double equivalent_plastic_strain) const {
+double MohrCoulomb::Law::yield_function(const Sym6& sigma, const PointHistory& history) const {
   Vec3 s = symmetric_eigen(sigma).values;
   std::sort(s.begin(), s.end(), std::greater<>());
-  const CoulombSurface surface = softens_ ? surface_after(equivalent_plastic_strain) : surface_;
+  const CoulombSurface surface = softens_ ? surface_after(history.equivalent_plastic_strain) : surface_;
   return std::max(surface.yield(s, 1), surface.above_cut_off(s, 1));
 }
 

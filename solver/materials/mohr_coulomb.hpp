@@ -98,7 +98,7 @@ class MohrCoulomb::Law {
   double wave_speed_squared(const Motion& motion, const PointHistory& history) const;
 
   /// The larger of f and s1 - tension_strength of a Cauchy stress after a plastic strain, Pa.
-  double yield_function(const Sym6& sigma, double equivalent_plastic_strain = 0) const;
+  double yield_function(const Sym6& sigma, const PointHistory& history = {}) const;
 
  private:
   CoulombSurface surface_after(double equivalent_plastic_strain) const;

@@ -13,7 +13,8 @@ namespace scarp {
 struct PointHistory {
   Sym6 elastic_left_cauchy_green{1, 1, 1, 0, 0, 0};  ///< b_e at F_old on entry, at F on return
   double equivalent_plastic_strain = 0;              ///< sum of sqrt(2/3) |increment of the plastic log strain|
-  double plastic_work = 0;                           ///< J/m3 of reference volume
+  double plastic_work = 0;                           ///< J/m3 of reference volume, viscous dissipation too
+  double hardening = 0;                              ///< of laws that state `has_hardening`; 0 at first
 };
 
 /// A step's deformation: from F_old to F, with what is computed once for stress, force and time step.
@@ -23,12 +24,13 @@ struct Motion {
   Mat3 cofactor;  ///< cof F = J F^-T
   double J;       ///< det F
   double per_J;   ///< 1 / J
+  double per_dt;  ///< 1 / time from F_old to F, 1/s; 0: infinitely slow
 };
 
-inline Motion make_motion(const Mat3& F_old, const Mat3& F) {
+inline Motion make_motion(const Mat3& F_old, const Mat3& F, double per_dt = 0) {
   const Mat3 c = cofactor(F);
   const double J = determinant(F, c);
-  return {F_old, F, c, J, 1 / J};
+  return {F_old, F, c, J, 1 / J, per_dt};
 }
 
 /// Upper bound of 1 / lambda_min^2, the largest eigenvalue of C^-1: the Laguerre-Samuelson bound from its trace

@@ -63,11 +63,11 @@ double VonMises::Law::wave_speed_squared(const Motion& motion, const PointHistor
   return hencky_stiffness_bound(K_ + 4 * G_ / 3, motion, history.elastic_left_cauchy_green) * per_density_;
 }
 
-double VonMises::Law::yield_function(const Sym6& sigma, double equivalent_plastic_strain) const {
+double VonMises::Law::yield_function(const Sym6& sigma, const PointHistory& history) const {
   const double mean = (sigma[0] + sigma[1] + sigma[2]) / 3;
   const double x = sigma[0] - mean, y = sigma[1] - mean, z = sigma[2] - mean;
   const double shear = sigma[3] * sigma[3] + sigma[4] * sigma[4] + sigma[5] * sigma[5];
-  return std::sqrt(1.5 * (x * x + y * y + z * z + 2 * shear)) - strength(equivalent_plastic_strain);
+  return std::sqrt(1.5 * (x * x + y * y + z * z + 2 * shear)) - strength(history.equivalent_plastic_strain);
 }
 
 }  // namespace scarp

@@ -55,8 +55,8 @@ class VonMises::Law {
   /// See hencky_stiffness_bound.
   double wave_speed_squared(const Motion& motion, const PointHistory& history) const;
 
-  /// f of a Cauchy stress after the plastic strain `a`, Pa.
-  double yield_function(const Sym6& sigma, double equivalent_plastic_strain) const;
+  /// f of a Cauchy stress after the plastic strain `history` holds, Pa.
+  double yield_function(const Sym6& sigma, const PointHistory& history = {}) const;
 
  private:
   double strength(double a) const;

@@ -27,6 +27,7 @@ struct Particles {
   std::vector<Sym6> elastic_left_cauchy_green;  ///< b_e, history of the finite-strain return maps
   std::vector<double> equivalent_plastic_strain;
   std::vector<double> plastic_work;  ///< dissipated per reference volume, J/m3
+  std::vector<double> hardening;     ///< one more internal variable, of the laws that have one; see the law
 
   std::size_t size() const { return id.size(); }
 };
@@ -51,6 +52,7 @@ void for_each_field(P&& p, F&& f) {
   f("elastic_left_cauchy_green", "1", p.elastic_left_cauchy_green, unit_tensor);
   f("equivalent_plastic_strain", "1", p.equivalent_plastic_strain, 0.0);
   f("plastic_work", "J/m3", p.plastic_work, 0.0);
+  f("hardening", "1", p.hardening, 0.0);
 }
 
 /// Grows or shrinks every field; new entries get the field's default.

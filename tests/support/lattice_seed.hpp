@@ -54,8 +54,9 @@ inline void seed_body(Model& model, const std::string& name, const Material& mat
     particles.id[p] = static_cast<std::int64_t>(p);
     particles.body[p] = index;
     particles.material[p] = static_cast<std::int32_t>(model.materials.size());
-    particles.mass[p] = elastic_parameters(material).density * volume;
+    particles.mass[p] = density_of(material) * volume;
     particles.reference_volume[p] = volume;
+    particles.stress[p] = rest_stress(material);
     particles.reference_position[p] = particles.position[p] = X;
     if (velocity) particles.velocity[p] = velocity(X);
   }

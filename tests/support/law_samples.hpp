@@ -13,6 +13,12 @@ namespace scarp::test {
 template <class M>
 std::vector<M> law_samples();
 
+/// The modulus of compression waves at rest, Pa: what stresses and energies are measured by.
+template <class M>
+double stiffness(const M& m) {
+  return m.density * m.wave_speed() * m.wave_speed();
+}
+
 template <>
 inline std::vector<LinearElastic> law_samples() {
   return {{{1000, 1e6, 0.3}}, {{1000, 1e6, -0.2}}};

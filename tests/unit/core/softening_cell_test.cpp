@@ -22,7 +22,8 @@ TEST(SofteningCell, EachBodysLawsKnowItsCell) {
     const TotalBody body = make_total_body(model, model.bodies[0]);
     ASSERT_EQ(body.laws.size(), 1u);
     // f of a stress-free point is - 2 c: the cohesion that is left after half the softening strain of a 0.5 m cell.
-    const double left = -0.5 * std::get<MohrCoulomb::Law>(body.laws[0]).yield_function({}, 0.005);
+    const double left =
+        -0.5 * std::get<MohrCoulomb::Law>(body.laws[0]).yield_function({}, {.equivalent_plastic_strain = 0.005});
     EXPECT_NEAR(left, 20e3 - 15e3 * std::min(1.0, 0.5 * cell / 0.5), 1e-6) << cell;
   }
 }

@@ -61,12 +61,13 @@ template <class M>
 class Law : public ::testing::Test {};
 TYPED_TEST_SUITE(Law, TypesOf<Material>::type);
 
-TYPED_TEST(Law, IsStressFreeAtRest) {
+TYPED_TEST(Law, HasTheStatedStressAtRest) {
   for (const TypeParam& parameters : test::law_samples<TypeParam>()) {
     const typename TypeParam::Law law(parameters);
     PointHistory history;
     const Motion rest = make_motion(kIdentity, kIdentity);
-    EXPECT_EQ(law.stress(rest, history), (Sym6{0, 0, 0, 0, 0, 0}));
+    const Sym6 expected = rest_stress(Material(parameters)), sigma = law.stress(rest, history);
+    for (int k = 0; k < 6; ++k) EXPECT_NEAR(sigma[k], expected[k], 1e-15 * largest(expected));
     EXPECT_EQ(law.stored_energy(rest, history), 0);
     EXPECT_EQ(history.equivalent_plastic_strain, 0);
   }
@@ -86,8 +87,8 @@ TYPED_TEST(Law, IsObjective) {
       const Sym6 sigma_turned = law.stress(make_motion(F1, multiply(Q, F2)), rotated);
       const Sym6 expected = turned(Q, sigma);
       for (int k = 0; k < 6; ++k)
-        EXPECT_NEAR(sigma_turned[k], expected[k], 1e-13 * parameters.youngs_modulus + 1e-12 * largest(sigma));
-      EXPECT_NEAR(plain.plastic_work, rotated.plastic_work, 1e-13 * parameters.youngs_modulus);
+        EXPECT_NEAR(sigma_turned[k], expected[k], 1e-13 * test::stiffness(parameters) + 1e-12 * largest(sigma));
+      EXPECT_NEAR(plain.plastic_work, rotated.plastic_work, 1e-13 * test::stiffness(parameters));
     }
   }
 }
@@ -99,8 +100,9 @@ TYPED_TEST(Law, KeepsStressAndEnergyUnderPureRotation) {
     for (int i = 0; i < 50; ++i) {
       PointHistory history;
       const Motion turn = make_motion(kIdentity, random.rotation());
-      EXPECT_LE(largest(law.stress(turn, history)), 1e-14 * parameters.youngs_modulus);
-      EXPECT_NEAR(law.stored_energy(turn, history), 0, 1e-15 * parameters.youngs_modulus);
+      const Sym6 expected = rest_stress(Material(parameters)), sigma = law.stress(turn, history);
+      for (int k = 0; k < 6; ++k) EXPECT_NEAR(sigma[k], expected[k], 1e-14 * test::stiffness(parameters));
+      EXPECT_NEAR(law.stored_energy(turn, history), 0, 1e-15 * test::stiffness(parameters));
     }
   }
 }
@@ -135,7 +137,7 @@ TYPED_TEST(Law, StressIsTheDerivativeOfTheStoredEnergyWhereNothingDissipates) {
           W[side] = fresh.plastic_work > 0 ? NAN : law.stored_energy(m, fresh);
         }
         if (std::isnan(W[0]) || std::isnan(W[1])) continue;
-        EXPECT_NEAR((W[1] - W[0]) / (2 * step), P[k], 1e-6 * scale + 1e-8 * parameters.youngs_modulus);
+        EXPECT_NEAR((W[1] - W[0]) / (2 * step), P[k], 1e-6 * scale + 1e-8 * test::stiffness(parameters));
       }
     }
   }
@@ -156,11 +158,12 @@ TYPED_TEST(Law, NeverGivesDissipatedEnergyBackAndStaysAdmissible) {
         const PointHistory before = history;
         const Sym6 sigma = law.stress(make_motion(F, next), history);
         F = next;
-        ASSERT_GE(history.plastic_work, before.plastic_work - 1e-14 * parameters.youngs_modulus);
+        ASSERT_GE(history.plastic_work, before.plastic_work - 1e-14 * test::stiffness(parameters));
         ASSERT_GE(history.equivalent_plastic_strain, before.equivalent_plastic_strain);
         for (double s : sigma) ASSERT_TRUE(std::isfinite(s));
-        if constexpr (requires { law.yield_function(sigma); }) {
-          ASSERT_LE(law.yield_function(sigma), 1e-12 * parameters.youngs_modulus) << walk << " " << step;
+        if constexpr (requires { law.yield_function(sigma, history); }) {
+          ASSERT_LE(law.yield_function(sigma, history), 1e-12 * (test::stiffness(parameters) + largest(sigma)))
+              << walk << " " << step;
         }
       }
     }
@@ -194,11 +197,13 @@ TYPED_TEST(Law, BoundsTheWaveSpeed) {
     return (1 / norm(v)) * v;
   };
   for (TypeParam parameters : test::law_samples<TypeParam>()) {
-    if constexpr (requires { parameters.cohesion; }) parameters.cohesion = parameters.youngs_modulus;  // stay elastic
+    if constexpr (requires { parameters.cohesion; }) parameters.cohesion = test::stiffness(parameters);  // stay elastic
     const typename TypeParam::Law law(parameters);
     const Motion rest = make_motion(kIdentity, kIdentity);
     EXPECT_GE(law.wave_speed_squared(rest, {}), (1 - 1e-12) * std::pow(parameters.wave_speed(), 2));
-    if (parameters.poissons_ratio >= 0) {
+    bool auxetic = false;  // where a bound may be above the exact speed at rest
+    if constexpr (requires { parameters.poissons_ratio; }) auxetic = parameters.poissons_ratio < 0;
+    if (!auxetic) {
       EXPECT_NEAR(std::sqrt(law.wave_speed_squared(rest, {})), parameters.wave_speed(),
                   1e-12 * parameters.wave_speed());
     }
@@ -235,11 +240,15 @@ TYPED_TEST(Law, ValidatesItsRanges) {
     } catch (const Error& error) {
       EXPECT_STREQ(error.what(), "density of material 'soil': found -1900; allowed: above 0 kg/m3");
     }
-    wrong = parameters;
-    wrong.poissons_ratio = 0.5;
+    wrong.density = NAN;
     EXPECT_THROW(validate(wrong, "m"), Error);
-    wrong.poissons_ratio = NAN;
-    EXPECT_THROW(validate(wrong, "m"), Error);
+    if constexpr (requires { parameters.poissons_ratio; }) {
+      wrong = parameters;
+      wrong.poissons_ratio = 0.5;
+      EXPECT_THROW(validate(wrong, "m"), Error);
+      wrong.poissons_ratio = NAN;
+      EXPECT_THROW(validate(wrong, "m"), Error);
+    }
   }
 }
 
