@@ -29,10 +29,13 @@ struct RangeCheck {
   void operator()(std::string_view key, const std::optional<double>& value, const Spec& spec) const {
     if (value) (*this)(key, *value, spec);
   }
+  void operator()(std::string_view, const bool&, const Spec&) const {}
   template <class E>
   requires std::is_enum_v<E>
   void operator()(std::string_view, const E&, const Spec&) const {}
 };
+
+void check_together(const Water&, const std::string&, const SourceLocation&) {}
 
 void check_together(const ElasticParameters&, const std::string&, const SourceLocation&) {}
 
@@ -44,6 +47,30 @@ void check_together(const VonMises& m, const std::string& name, const SourceLoca
   if (m.saturation_stress && *m.saturation_stress < m.yield_stress)
     throw Error("materials", "saturation_stress of material '" + name + "'", shortest(*m.saturation_stress),
                 "at least yield_stress (" + shortest(m.yield_stress) + " Pa)", where);
+}
+
+void check_together(const Granular& m, const std::string& name, const SourceLocation& where) {
+  if (m.mu_2 < m.mu_s)
+    throw Error("materials", "mu_2 of material '" + name + "'", shortest(m.mu_2),
+                "at least mu_s (" + shortest(m.mu_s) + ")", where);
+  if (m.grain_density < m.density)
+    throw Error("materials", "grain_density of material '" + name + "'", shortest(m.grain_density),
+                "at least density (" + shortest(m.density) + " kg/m3)", where);
+}
+
+void check_together(const CamClay& m, const std::string& name, const SourceLocation& where) {
+  const auto refuse = [&](const char* what, const std::string& found, const std::string& allowed) {
+    throw Error("materials", std::string(what) + " of material '" + name + "'", found, allowed, where);
+  };
+  if (m.lambda <= m.kappa) refuse("lambda", shortest(m.lambda), "above kappa (" + shortest(m.kappa) + ")");
+  if (m.critical_stress_ratio.has_value() == m.friction_angle.has_value())
+    refuse("critical state", m.friction_angle ? "critical_stress_ratio and friction_angle" : "neither",
+           "one of critical_stress_ratio and friction_angle");
+  if (m.preconsolidation && m.overconsolidation_ratio)
+    refuse("preconsolidation", "preconsolidation and overconsolidation_ratio", "at most one of them");
+  if (m.preconsolidation && *m.preconsolidation < m.initial_pressure)
+    refuse("preconsolidation", shortest(*m.preconsolidation),
+           "at least initial_pressure (" + shortest(m.initial_pressure) + " Pa)");
 }
 
 /// For the laws with cohesion and friction.

@@ -74,5 +74,41 @@ inline std::vector<MohrCoulomb> law_samples() {
   samples.push_back(sensitive);
   return samples;
 }
+template <>
+inline std::vector<Water> law_samples() {
+  return {{.density = 1000, .sound_speed = 30},
+          {.density = 900, .sound_speed = 30, .viscosity = 2, .exponent = 7, .tension = true},
+          {.density = 1000, .sound_speed = 20, .viscosity = 0.001, .exponent = 1.5}};
+}
+/// The last two are too rough to flow in most states: for what the contract says of the elastic state.
+template <>
+inline std::vector<Granular> law_samples() {
+  return {{{1500, 1e7, 0.3}, 0.38, 0.64, 0.279, 1e-3, 2500},
+          {{1600, 20e6, 0.2}, 0.6, 0.6, 0.3, 0.01, 2650},
+          {{1500, 1e7, 0.45}, 3, 4, 0.279, 1e-3, 2500},
+          {{1500, 1e6, 0.4}, 4, 4, 0.279, 1e-3, 2500}};
+}
+/// Normally consolidated; lightly and heavily overconsolidated; the last two hardly yield.
+template <>
+inline std::vector<CamClay> law_samples() {
+  CamClay m{.density = 1700, .shear_modulus = 5e6, .kappa = 0.05, .lambda = 0.2, .void_ratio = 1};
+  m.initial_pressure = 100e3;
+  m.critical_stress_ratio = 1.2;
+  std::vector<CamClay> samples{m};
+  m.friction_angle = 23;
+  m.critical_stress_ratio.reset();
+  m.overconsolidation_ratio = 1.5;
+  samples.push_back(m);
+  m.overconsolidation_ratio = 20;
+  m.shear_modulus = 2e6;
+  samples.push_back(m);
+  m.overconsolidation_ratio.reset();
+  m.preconsolidation = 100e6;
+  samples.push_back(m);
+  m.kappa = 0.2;
+  m.lambda = 0.6;
+  samples.push_back(m);
+  return samples;
+}
 
 }  // namespace scarp::test

@@ -12,7 +12,7 @@
 
 #include "solver/materials/law.hpp"
 #include "solver/materials/symmetric_eigen.hpp"
-#include "tests/unit/materials/driven_point.hpp"
+#include "tests/support/driven_point.hpp"
 
 namespace scarp {
 namespace {

@@ -125,7 +125,7 @@ TYPED_TEST(Law, StressIsTheDerivativeOfTheStoredEnergyWhereNothingDissipates) {
       // Central differences: error step^2 W''' + rounding W eps / step.
       const double step = 1e-5;
       for (int k = 0; k < 9; ++k) {
-        double W[2];
+        double W[2], bend = -2 * P[k];  // of the stress, over the difference: a law may have a kink there
         for (int side = 0; side < 2; ++side) {
           Mat3 moved = F;
           moved[k] += side ? step : -step;
@@ -133,11 +133,12 @@ TYPED_TEST(Law, StressIsTheDerivativeOfTheStoredEnergyWhereNothingDissipates) {
           const Motion m = make_motion(kIdentity, moved);
           // An elastic law's energy needs no history; one with history stays inside its yield surface, or is
           // not compared there.
-          law.stress(m, fresh);
+          bend += first_piola(law.stress(m, fresh), m.cofactor)[k];
           W[side] = fresh.plastic_work > 0 ? NAN : law.stored_energy(m, fresh);
         }
         if (std::isnan(W[0]) || std::isnan(W[1])) continue;
-        EXPECT_NEAR((W[1] - W[0]) / (2 * step), P[k], 1e-6 * scale + 1e-8 * test::stiffness(parameters));
+        EXPECT_NEAR((W[1] - W[0]) / (2 * step), P[k],
+                    1e-6 * scale + 1e-8 * test::stiffness(parameters) + std::abs(bend));
       }
     }
   }

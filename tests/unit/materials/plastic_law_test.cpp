@@ -10,8 +10,8 @@
 #include <type_traits>
 
 #include "solver/materials/law.hpp"
+#include "tests/support/driven_point.hpp"
 #include "tests/support/law_samples.hpp"
-#include "tests/unit/materials/driven_point.hpp"
 
 namespace scarp {
 namespace {

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "solver/materials/law.hpp"
-#include "tests/unit/materials/driven_point.hpp"
+#include "tests/support/driven_point.hpp"
 
 namespace scarp {
 namespace {
