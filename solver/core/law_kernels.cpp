@@ -25,11 +25,12 @@ struct Parameters {
     return LawParameters{LawKind::hencky, {m.shear_modulus(), m.lambda(), 1 / m.density}};
   }
   Found operator()(const VonMises& m) const {
-    if (m.saturation_stress) return std::nullopt;
+    if (m.saturation_stress || m.relaxation_time > 0) return std::nullopt;
     return LawParameters{LawKind::von_mises,
                          {m.shear_modulus(), m.bulk_modulus(), 1 / m.density, m.yield_stress, m.hardening_modulus}};
   }
   Found operator()(const DruckerPrager& m) const {
+    if (m.relaxation_time > 0) return std::nullopt;
     const Cone cone = fit_cone(m);
     const double apex = cone.q > 0 ? cone.k / cone.q : kNone;
     return LawParameters{LawKind::drucker_prager,
@@ -37,7 +38,7 @@ struct Parameters {
                           std::min(apex, m.tension_strength.value_or(apex))}};
   }
   Found operator()(const MohrCoulomb& m) const {
-    if (m.softens()) return std::nullopt;
+    if (m.softens() || m.relaxation_time > 0) return std::nullopt;
     const double phi = m.friction_angle * kPerDegree, psi = m.dilatancy_angle * kPerDegree;
     const double apex = m.friction_angle > 0 ? m.cohesion / std::tan(phi) : kNone;
     const double tension = m.tension_strength ? std::min(*m.tension_strength, apex) : kNone;

@@ -37,7 +37,11 @@ Cone fit_cone(const DruckerPrager& m) {
 }
 
 DruckerPrager::Law::Law(const DruckerPrager& m)
-    : G_(m.shear_modulus()), K_(m.bulk_modulus()), per_density_(1 / m.density), cone_(fit_cone(m)) {
+    : G_(m.shear_modulus()),
+      K_(m.bulk_modulus()),
+      per_density_(1 / m.density),
+      relaxation_time_(m.relaxation_time),
+      cone_(fit_cone(m)) {
   per_cone_stiffness_ = 1 / (G_ + K_ * cone_.q * cone_.q_flow);
   const double apex = cone_.q > 0 ? cone_.k / cone_.q : std::numeric_limits<double>::infinity();
   cap_ = std::min(apex, m.tension_strength.value_or(apex));
@@ -52,6 +56,7 @@ Sym6 DruckerPrager::Law::stress(const Motion& motion, PointHistory& history) con
   const double f = trial + cone_.q * p - k;
   if (f > 0 || p > cap) {
     double radius = trial;
+    const double trial_p = p, left = overstress_left(relaxation_time_, motion.per_dt);
     const double gamma = std::max(0.0, f * per_cone_stiffness_);
     if (p - K_ * cone_.q_flow * gamma <= cap) {
       radius -= G_ * gamma;
@@ -60,6 +65,8 @@ Sym6 DruckerPrager::Law::stress(const Motion& motion, PointHistory& history) con
       p = cap;
       radius = std::min(trial, std::max(0.0, k - cone_.q * cap));
     }
+    radius += left * (trial - radius);
+    p += left * (trial_p - p);
     dev = (trial > 0 ? radius / trial : 0.0) * dev;
     const double plastic_volume = trace - p / K_, plastic_shear = (trial - radius) / G_;
     b_e = left_cauchy_green(dev, trace - plastic_volume, planes);

@@ -8,6 +8,7 @@
 
 #include "solver/materials/elastic_parameters.hpp"
 #include "solver/materials/motion.hpp"
+#include "solver/materials/overstress.hpp"
 
 namespace scarp {
 
@@ -32,6 +33,7 @@ struct DruckerPrager : ElasticParameters {
   double dilatancy_angle = 0;
   std::optional<double> tension_strength = std::nullopt;
   ConeMatch match = ConeMatch::plane_strain;
+  double relaxation_time = 0;
 
   template <class V>
   void describe(V&& v) {
@@ -49,6 +51,7 @@ struct DruckerPrager : ElasticParameters {
       Spec{.text =
                "where the cone has Mohr-Coulomb's strength: sliding in plane strain, the same with associated flow, "
                "triaxial extension (inner), triaxial compression (outer: unsafe in all other states)"});
+    describe_relaxation(v, relaxation_time);
   }
   class Law;
 };
@@ -72,7 +75,8 @@ Cone fit_cone(const DruckerPrager& m);
 
 /// Return map on b_e in the logarithmic strain (de Souza Neto, Peric, Owen 2008, chapters 8.3 and 14): to the cone, to
 /// the cap or to the circle in which they meet; an apex is such a circle of radius zero. The map runs in tau = J sigma
-/// with J k and J tension_strength, so that the strength holds in the Cauchy stress at any change of volume.
+/// with J k and J tension_strength, so that the strength holds in the Cauchy stress at any change of volume. With a
+/// relaxation_time the stress stops short of the surface, see overstress.hpp.
 class DruckerPrager::Law {
  public:
   static constexpr bool has_history = true;
@@ -91,7 +95,7 @@ class DruckerPrager::Law {
   double yield_function(const Sym6& sigma, const PointHistory& history = {}) const;
 
  private:
-  double G_, K_, per_density_, per_cone_stiffness_;
+  double G_, K_, per_density_, per_cone_stiffness_, relaxation_time_;
   Cone cone_;
   double cap_;  ///< largest mean stress; infinite where there is neither apex nor cut-off
 };

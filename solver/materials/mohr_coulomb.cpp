@@ -122,6 +122,7 @@ Sym6 MohrCoulomb::Law::stress(const Motion& motion, PointHistory& history) const
   for (int k = 0; k < 3; ++k) e[k] = strain.principal[order[k]];
   const double pressure = (K_ - 2 * G_ / 3) * (e[0] + e[1] + e[2]);
   Vec3 tau{2 * G_ * e[0] + pressure, 2 * G_ * e[1] + pressure, 2 * G_ * e[2] + pressure};
+  const Vec3 trial = tau;
   bool plastic = false;
   if (softens_) {
     plastic = return_softening(tau, motion.J, history.equivalent_plastic_strain);
@@ -130,6 +131,8 @@ Sym6 MohrCoulomb::Law::stress(const Motion& motion, PointHistory& history) const
     plastic = true;
   }
   if (plastic) {
+    if (parameters_.relaxation_time > 0)
+      tau = tau + overstress_left(parameters_.relaxation_time, motion.per_dt) * (trial - tau);
     const double mean = (tau[0] + tau[1] + tau[2]) / 3;
     double square = 0, work = 0;
     for (int k = 0; k < 3; ++k) {

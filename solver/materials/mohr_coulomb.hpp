@@ -9,6 +9,7 @@
 #include "solver/materials/coulomb_surface.hpp"
 #include "solver/materials/elastic_parameters.hpp"
 #include "solver/materials/motion.hpp"
+#include "solver/materials/overstress.hpp"
 
 namespace scarp {
 
@@ -36,6 +37,7 @@ struct MohrCoulomb : ElasticParameters {
   Softening softening = Softening::linear;
   std::optional<double> softening_strain = std::nullopt;
   std::optional<double> softening_length = std::nullopt;
+  double relaxation_time = 0;
 
   bool softens() const { return residual_cohesion || residual_friction_angle || residual_dilatancy_angle; }
 
@@ -68,6 +70,7 @@ struct MohrCoulomb : ElasticParameters {
                    "cell, so that the energy to break through does not depend on the grid; default: no scaling",
            .unit = "m",
            .above = 0});
+    describe_relaxation(v, relaxation_time);
   }
   class Law;
 };
@@ -81,7 +84,8 @@ struct MohrCoulomb : ElasticParameters {
 /// cut-off never exceeds the apex of the strength that is left. Softening that elastic unloading cannot follow (without
 /// friction: cohesion falls by more than G per unit of plastic shear, sqrt(3) times the equivalent plastic strain)
 /// falls within one step; what that sets free is not in plastic_work, and softening_length no longer keeps the energy
-/// to break through: the cells are then too large for it.
+/// to break through: the cells are then too large for it. With a relaxation_time the stress stops short of the surface,
+/// see overstress.hpp, and softening takes time.
 class MohrCoulomb::Law {
  public:
   static constexpr bool has_history = true;

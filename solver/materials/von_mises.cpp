@@ -16,7 +16,8 @@ VonMises::Law::Law(const VonMises& m)
       yield_(m.yield_stress),
       modulus_(m.hardening_modulus),
       saturation_rise_(m.saturation_stress.value_or(m.yield_stress) - m.yield_stress),
-      per_saturation_strain_(1 / m.saturation_strain.value_or(1)) {}
+      per_saturation_strain_(1 / m.saturation_strain.value_or(1)),
+      relaxation_time_(m.relaxation_time) {}
 
 double VonMises::Law::strength(double a) const {
   const double linear = yield_ + modulus_ * a;
@@ -45,7 +46,8 @@ Sym6 VonMises::Law::stress(const Motion& motion, PointHistory& history) const {
   auto [dev, trace, planes] = deviatoric_trial(motion, b_e);
   const double trial = 2 * G_ * std::sqrt(1.5 * dot(dev, dev));
   if (trial > motion.J * strength(history.equivalent_plastic_strain)) {
-    const double g = plastic_increment(trial, history.equivalent_plastic_strain, motion.J);
+    const double g = (1 - overstress_left(relaxation_time_, motion.per_dt)) *
+                     plastic_increment(trial, history.equivalent_plastic_strain, motion.J);
     dev = (1 - 3 * G_ * g / trial) * dev;
     b_e = left_cauchy_green(dev, trace, planes);
     history.equivalent_plastic_strain += g;

@@ -6,6 +6,7 @@
 
 #include "solver/materials/elastic_parameters.hpp"
 #include "solver/materials/motion.hpp"
+#include "solver/materials/overstress.hpp"
 
 namespace scarp {
 
@@ -19,6 +20,7 @@ struct VonMises : ElasticParameters {
   double hardening_modulus = 0;
   std::optional<double> saturation_stress = std::nullopt;
   std::optional<double> saturation_strain = std::nullopt;
+  double relaxation_time = 0;
 
   template <class V>
   void describe(V&& v) {
@@ -35,12 +37,14 @@ struct VonMises : ElasticParameters {
            .above = 0});
     v("saturation_strain", saturation_strain,
       Spec{.text = "equivalent plastic strain after which 63 % of the way to saturation_stress is gone", .above = 0});
+    describe_relaxation(v, relaxation_time);
   }
   class Law;
 };
 
 /// Radial return on b_e in the logarithmic strain (de Souza Neto, Peric, Owen 2008, boxes 7.3 and 14.3). The map runs
-/// in tau = J sigma with J s(a), so that the strength holds in the Cauchy stress at any change of volume.
+/// in tau = J sigma with J s(a), so that the strength holds in the Cauchy stress at any change of volume. With a
+/// relaxation_time the stress stops short of the surface, see overstress.hpp.
 class VonMises::Law {
  public:
   static constexpr bool has_history = true;
@@ -63,7 +67,7 @@ class VonMises::Law {
   double plastic_increment(double trial, double a, double J) const;
 
   double G_, K_, per_density_;
-  double yield_, modulus_, saturation_rise_, per_saturation_strain_;
+  double yield_, modulus_, saturation_rise_, per_saturation_strain_, relaxation_time_;
 };
 
 }  // namespace scarp
