@@ -42,8 +42,7 @@ class Checker {
     for (std::size_t i = 0; i < scenario_.loads.size(); ++i) check_load(i);
     for (std::size_t i = 0; i < scenario_.probes.size(); ++i) check_probe(i);
     for (std::size_t i = 0; i < scenario_.render.size(); ++i) check_render(i);
-    for (std::size_t i = 0; i < scenario_.compare.size(); ++i)
-      check_reference({"compare", std::to_string(i), "observed"}, scenario_.compare[i].observed, "scan", scan_names());
+    for (std::size_t i = 0; i < scenario_.compare.size(); ++i) check_compare(i);
     check_names("compare", compare_names());
   }
 
@@ -338,6 +337,15 @@ class Checker {
     const Steps at{"output", "run_out", "direction"};
     if (direction && (*direction)[0] == 0 && (flat() || (*direction)[1] == 0))
       fail(at, path_of(at) + " has no horizontal part", flat() ? "x other than 0" : "x or y other than 0");
+  }
+
+  void check_compare(std::size_t i) const {
+    const CompareOptions& compare = scenario_.compare[i];
+    const Steps steps{"compare", std::to_string(i)};
+    check_reference(steps + "observed", compare.observed, "scan", scan_names());
+    const NormalSide side = compare.m3c2.orientation;
+    if ((side == NormalSide::towards || side == NormalSide::away) && !compare.m3c2.viewpoint)
+      fail(steps + "m3c2" + "orientation", path_of(steps + "m3c2" + "orientation") + " needs the key \"viewpoint\"");
   }
 
   static Steps components_of(const std::string& field) {

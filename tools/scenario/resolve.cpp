@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/scenario/resolve.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "tools/scenario/schema_kinds.hpp"
 
 namespace scarp {
@@ -35,6 +38,15 @@ class Localizer {
   Vec3 origin_;
 };
 
+/// Between the material points of the coarsest body, m.
+double widest_spacing(const Scenario& scenario) {
+  double widest = 0;
+  for (const BodyOptions& body : scenario.bodies)
+    widest = std::max(widest, body.cell.value_or(scenario.domain.cell) /
+                                  std::round(std::pow(body.points_per_cell, 1.0 / scenario.domain.dimension)));
+  return widest;
+}
+
 }  // namespace
 
 void resolve_defaults(Scenario& scenario) {
@@ -49,6 +61,7 @@ void resolve_defaults(Scenario& scenario) {
   for (CompareOptions& compare : scenario.compare) {
     if (compare.name.empty()) compare.name = default_name(compare);
     if (compare.max_distance == 0) compare.max_distance = 10 * scenario.domain.cell;
+    if (compare.simulated_spacing == 0) compare.simulated_spacing = widest_spacing(scenario);
   }
 }
 

@@ -284,6 +284,8 @@ TEST_F(ReadScenario, ChecksTheHillsideAcrossKeys) {
        {"camera =", "width = @@1281\ncamera =", "render.overview.width must be even"},
        {"[output]\n", "[output]\nevery = @@1e-9\n", "output.every asks for more than 100000 outputs: found 1e-9"},
        {"[output]\n", "[output]\nhistory_every = @@1e-12\n", "output.history_every asks for more than 10000000"},
+       {"observed = \"after\"", "observed = \"after\"\nm3c2 = { orientation = @@\"towards\" }",
+        "compare.0.m3c2.orientation needs the key \"viewpoint\""},
        {"[[compare]]", "[[compare]]\nobserved = \"after\"\n@@[[compare]]",
         "two entries of compare are named \"last_after\""}});
 }

@@ -100,6 +100,7 @@ TEST_F(WriteScenario, DefaultsBecomeExplicit) {
   EXPECT_EQ(scenario.bodies[1].points_per_cell, 27);
   EXPECT_EQ(scenario.compare[0].name, "last_after");
   EXPECT_EQ(scenario.compare[0].max_distance, 5);
+  EXPECT_EQ(scenario.compare[0].simulated_spacing, 0.25) << "cells of 0.5 m, 8 points in each";
   const std::string once = to_toml(scenario);
   resolve_defaults(scenario);
   EXPECT_EQ(to_toml(scenario), once);

@@ -1,0 +1,141 @@
+# SPDX-FileCopyrightText: The scarp developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Two files held against each other from the command line."""
+import csv
+import json
+import math
+import struct
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from support import DATA, Run
+
+BMX = DATA / "multi_epoch" / "bmx"
+
+
+def las_points(file):
+    """x, y, z of every point of a LAS file, in the file's units."""
+    data = file.read_bytes()
+    offset, = struct.unpack_from("<I", data, 96)
+    length, = struct.unpack_from("<H", data, 105)
+    scale = struct.unpack_from("<3d", data, 131)
+    shift = struct.unpack_from("<3d", data, 155)
+    count, = struct.unpack_from("<Q", data, 247)
+    return [tuple(v * s + o for v, s, o in zip(struct.unpack_from("<3i", data, offset + i * length), scale, shift))
+            for i in range(count)]
+
+
+def las_fields(file):
+    """The names of the extra bytes of a LAS 1.4 file."""
+    data = file.read_bytes()
+    at, = struct.unpack_from("<H", data, 94)
+    records, = struct.unpack_from("<I", data, 100)
+    for _ in range(records):
+        number, size = struct.unpack_from("<2H", data, at + 18)
+        if number == 4:
+            return [data[at + 54 + k + 4:at + 54 + k + 36].rstrip(b"\0").decode() for k in range(0, size, 192)]
+        at += 54 + size
+    return []
+
+
+class Compare(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def write_cloud(self, name, points):
+        file = self.folder / name
+        file.write_text("x,y,z\n" + "".join(f"{x!r},{y!r},{z!r}\n" for x, y, z in points))
+        return file
+
+    def compare(self, *arguments, code=0):
+        done = Run("compare", *arguments, "-o", self.folder, "--name", "n")
+        self.assertEqual(done.code, code, str(done))
+        if code not in (0, 4):
+            return done
+        with open(self.folder / "n.csv") as file:
+            rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+        return done, json.loads((self.folder / "n.json").read_text()), rows
+
+    def bumpy(self, lift=0.0):
+        return [(500000 + 0.25 * i, 4100000 + 0.25 * j, lift + 0.1 * math.sin(i) * math.cos(0.7 * j))
+                for i in range(40) for j in range(40)]
+
+    @unittest.skipUnless(BMX.is_dir(), "no real data")
+    def test_reference_values_of_an_earthwork(self):
+        # Published with filters.m3c2 of PDAL; its heights are feet among metres, so the files are handed over bare.
+        before = self.write_cloud("2010.csv", las_points(BMX / "autzen-bmx-2010.las"))
+        after = self.write_cloud("2023.csv", las_points(BMX / "autzen-bmx-2023.las"))
+        _, report, rows = self.compare(before, after, "--method", "m3c2", "--convention", "pdal", "--core-points",
+                                       BMX / "autzen-bmx-cores.txt", "--normal-radii", "5.24414",
+                                       "--cylinder-radius", "10.4882815", "--max-distance", "2.763006")
+        print("| core | distance | published | level of detection | published |\n|---|---|---|---|---|")
+        for k, (row, distance, detection) in enumerate(zip(rows, (1.396, 0.670, 1.246), (0.275, 0.140, 0.226))):
+            print(f"| {k} | {row['distance']:.4f} | {distance} | {row['lod']:.4f} | {detection} |")
+            self.assertAlmostEqual(row["distance"], distance, delta=0.001)
+            self.assertAlmostEqual(row["lod"], detection, delta=0.001)
+        self.assertEqual((rows[0]["count_simulated"], rows[0]["count_observed"]), (118, 166))
+        self.assertAlmostEqual(rows[0]["spread_simulated"], 0.732, delta=0.001)
+        self.assertAlmostEqual(rows[0]["spread_observed"], 1.582, delta=0.001)
+        self.assertEqual(report["m3c2"]["cylinder_radius_m"], 10.4882815)
+
+    @unittest.skipUnless(BMX.is_dir(), "no real data")
+    def test_heights_in_feet_are_not_taken_for_metres(self):
+        files = (BMX / "autzen-bmx-2010.las", BMX / "autzen-bmx-2023.las", "--max-distance", "3")
+        self.assertIn("us-ft", self.compare(*files, code=2).err)
+        _, report, _ = self.compare(*files, "--height-unit", "us-ft")
+        self.assertLess(report["distances"]["largest_m"], 3)
+
+    def test_every_format_says_that_there_is_no_data(self):
+        cores = self.write_cloud("cores.csv", [(500002, 4100002, 0), (500300, 4100300, 0)])
+        _, report, rows = self.compare(self.write_cloud("a.csv", self.bumpy()), self.write_cloud("b.csv", self.bumpy(0.5)),
+                                       "--method", "m3c2", "--core-points", cores, "--normal-radii", "0.5,1",
+                                       "--cylinder-radius", "0.6", "--max-distance", "2", "--registration-error", "0.01")
+        self.assertEqual(list(rows[0])[:5], ["x", "y", "z", "distance", "lod"])
+        self.assertAlmostEqual(rows[0]["distance"], 0.5, delta=0.05)
+        self.assertEqual(rows[0]["significant"], 1)
+        for name in ("distance", "lod", "significant", "nx"):
+            self.assertTrue(math.isnan(rows[1][name]), name)
+        self.assertEqual((rows[1]["count_simulated"], rows[1]["count_observed"], rows[1]["flags"]), (0, 0, 15))
+        self.assertEqual((report["distances"]["points"], report["distances"]["matched"]), (2, 1))
+        self.assertEqual(report["detection"]["significant"], 1)
+        self.assertEqual(report["m3c2"]["registration_error_m"], 0.01)
+        for name in ("distance", "lod", "flags", "NormalX"):
+            self.assertIn(name, las_fields(self.folder / "n.las"))
+        las = (self.folder / "n.las").read_bytes()
+        self.assertTrue(math.isnan(struct.unpack_from("<d", las[-12 * 8:], 3 * 8)[0]), "after three normals the distance")
+
+    def test_methods_agree_on_parallel_surfaces(self):
+        below = self.write_cloud("a.csv", [(0.5 * i, 0.5 * j, 0) for i in range(30) for j in range(30)])
+        above = self.write_cloud("b.csv", [(0.5 * i, 0.5 * j, 0.25) for i in range(30) for j in range(30)])
+        for method, expected in (("c2c", 0.25), ("m3c2", 0.25), ("c2m", -0.25)):
+            _, report, _ = self.compare(below, above, "--method", method, "--max-distance", "2")
+            self.assertAlmostEqual(report["distances"]["mean_m"], expected, delta=1e-12, msg=method)
+            self.assertEqual(report["method"], method)
+        _, _, rows = self.compare(below, above, "--method", "m3c2", "--core-spacing", "3", "--max-distance", "2")
+        self.assertEqual(len(rows), 25)
+        mesh = self.folder / "roof.obj"
+        mesh.write_text("v 0 0 1\nv 20 0 1\nv 20 20 1\nv 0 20 1\nf 1 2 3\nf 1 3 4\n")
+        _, report, _ = self.compare(below, mesh, "--method", "c2m", "--max-distance", "2")
+        self.assertEqual(report["distances"]["mean_m"], -1, "below the side of the normals")
+        self.assertEqual(report["mesh"]["border_edges"], 4)
+
+    def test_tolerance_and_wrong_requests(self):
+        a, b = self.write_cloud("a.csv", self.bumpy()), self.write_cloud("b.csv", self.bumpy(0.5))
+        done, _, _ = self.compare(a, b, "--max-distance", "2", "--tolerance-mean", "0.1", code=4)
+        self.assertIn("outside tolerance", done.err)
+        for wrong in (["--method", "icp"], ["--max-distance", "-1"], ["--max-distance", "2", "--method", "m3c2", "--normal-radii", "1,0"],
+                      ["--max-distance", "2", "--method", "m3c2", "--orientation", "towards"],
+                      ["--max-distance", "2", "--method", "m3c2", "--normals", "core"],
+                      ["--max-distance", "2", "--method", "m3c2", "--core-points", "nowhere.txt"]):
+            done = self.compare(a, b, *wrong, code=2)
+            self.assertTrue(done.err.startswith("scarp: error: "), done.err)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=1)
