@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "solver/core/pore_water.hpp"
+#include "solver/core/shaking.hpp"
 #include "solver/core/step_options.hpp"
 #include "solver/materials/law.hpp"
 #include "solver/model/error.hpp"
@@ -115,6 +117,8 @@ void check_options(const OutputOptions& options) {
 }
 
 void check_formulations(const Model& model, const SolverOptions& options) {
+  check_shaking(model);
+  check_water(model, options);
   for (const Body& body : model.bodies) {
     if (body.formulation != Formulation::total_lagrangian) {
       if (!options.body_force.empty() || model.body_force)

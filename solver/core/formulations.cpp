@@ -6,6 +6,8 @@
 
 #include "solver/core/check_model.hpp"
 #include "solver/core/diagnostics.hpp"
+#include "solver/core/k0_state.hpp"
+#include "solver/core/pore_water.hpp"
 #include "solver/core/reference_grid.hpp"
 #include "solver/model/error.hpp"
 
@@ -16,7 +18,9 @@ Formulations::Formulations(Model& model, const SolverOptions& options, int threa
   check_model(model);
   check_options(options, model.domain.dimension);
   check_formulations(model, options);
+  set_saturated_masses(model);
   sort_by_cell(model);
+  set_k0_stress(model, options, threads);
   if (has_formulation(model, Formulation::total_lagrangian)) total_.emplace(model, options, threads, kernels);
   if (has_formulation(model, Formulation::updated_lagrangian)) updated_.emplace(model, options, threads);
 }

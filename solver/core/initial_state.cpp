@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "solver/core/wave_speeds.hpp"
+
 namespace scarp {
 namespace {
 
@@ -39,8 +41,22 @@ struct Quiet {
 
 }  // namespace
 
+namespace {
+
+/// A K0 start needs the loads under absorbing faces, which bear nothing by themselves: one step at rest finds them.
+void find_supports(Formulations& method, const Model& model) {
+  if (!has_absorbing_face(model.domain)) return;
+  method.begin_relaxing(RelaxOptions{}.damping);
+  method.step(method.stable_time_step());
+  method.rest();
+}
+
+}  // namespace
+
 std::optional<Failure> relax(Formulations& method, const Model& model, const SolverOptions& options, int threads) {
-  if (!options.relax || method.failure()) return std::nullopt;
+  if (method.failure()) return std::nullopt;
+  if (options.k0 && !options.relax) find_supports(method, model);
+  if (!options.relax) return method.failure();
   const RelaxOptions& wanted = *options.relax;
   const double end = wanted.time.value_or(kForever), first_stable = method.stable_time_step();
   Quiet quiet{wanted.until, options.gravity_ramp};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "solver/core/pore_water.hpp"
 #include "solver/core/stress_measures.hpp"
 #include "solver/materials/tensor.hpp"
 
@@ -24,14 +25,15 @@ FrameField field_of(OutputField which, const char* unit, std::size_t count, F&& 
 
 using Scalar = std::array<double, 1>;
 
-FrameField make_field(const Particles& P, OutputField which) {
+FrameField make_field(const Model& model, OutputField which, const Vec3& shift, const Vec3& velocity) {
+  const Particles& P = model.particles;
   const std::size_t n = P.size();
   const auto J = [&P](std::size_t p) { return determinant(P.deformation_gradient[p]); };
   switch (which) {
     case OutputField::displacement:
-      return field_of(which, "m", n, [&](std::size_t p) { return P.position[p] - P.reference_position[p]; });
+      return field_of(which, "m", n, [&](std::size_t p) { return P.position[p] - P.reference_position[p] + shift; });
     case OutputField::velocity:
-      return field_of(which, "m/s", n, [&](std::size_t p) { return P.velocity[p]; });
+      return field_of(which, "m/s", n, [&](std::size_t p) { return P.velocity[p] + velocity; });
     case OutputField::stress:
       return field_of(which, "Pa", n, [&](std::size_t p) { return P.stress[p]; });
     case OutputField::equivalent_plastic_strain:
@@ -47,6 +49,10 @@ FrameField make_field(const Particles& P, OutputField which) {
     case OutputField::density:
       return field_of(which, "kg/m3", n,
                       [&](std::size_t p) { return Scalar{P.mass[p] / (P.reference_volume[p] * J(p))}; });
+    case OutputField::pore_pressure:
+      return field_of(which, "Pa", n, [&](std::size_t p) {
+        return Scalar{model.water ? pore_pressure(*model.water, P.position[p], model.domain.dimension) : 0};
+      });
   }
   return {};
 }
@@ -60,16 +66,21 @@ std::vector<std::uint8_t> flatten(const std::vector<Rgb8>& colours) {
 
 }  // namespace
 
-Frame make_frame(const Model& model, const std::vector<OutputField>& fields, double time, std::int64_t step) {
+Frame make_frame(const Model& model, const std::vector<OutputField>& fields, double time, std::int64_t step,
+                 bool absolute) {
   const Particles& particles = model.particles;
+  const Vec3 none{0, 0, 0}, shift = absolute ? base_displacement(model.shaking, time) : none,
+                            velocity = absolute ? base_velocity(model.shaking, time) : none;
   Frame frame{.time = time, .step = step, .positions = particles.position, .fields = {}, .site = model.site};
+  for (Vec3& x : frame.positions) x = x + shift;
   frame.fields.push_back({"id", "1", 1, particles.id});
   frame.fields.push_back({"body", "1", 1, particles.body});
   frame.fields.push_back({"material", "1", 1, particles.material});
   frame.fields.push_back({"surface", "1", 1, particles.surface});
   frame.fields.push_back({"colour", "1", 3, flatten(particles.colour)});
   for (OutputField field : fields)
-    if (!find_field(frame, std::string(name_of(field)))) frame.fields.push_back(make_field(particles, field));
+    if (!find_field(frame, std::string(name_of(field))))
+      frame.fields.push_back(make_field(model, field, shift, velocity));
   return frame;
 }
 

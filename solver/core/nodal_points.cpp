@@ -66,6 +66,7 @@ std::optional<std::string> NodalBody::obstacle(const Model& model, const TotalBo
   const bool mixed =
       std::any_of(body.tasks.begin(), body.tasks.end(), [](const CellTask& t) { return t.material < 0; });
   if (!body.since.empty() && mixed) return "cells of several materials see one mean volume ratio";
+  if (model.water) return "the water's force is one of its particles' places";
   const auto kernels = kernels_of(model);
   const Particles& particles = model.particles;
   for (std::size_t p = body.begin; p < body.end; ++p) {

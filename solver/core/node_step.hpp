@@ -27,7 +27,9 @@ struct NodeStep {
 struct NodeWork {
   double friction = 0;  ///< lost on faces with friction, impact included
   double damping = 0;   ///< lost to damping and to absorbing faces
-  double external = 0;  ///< done on the model by loads, and by gravity as far as it is not the steady one
+  /// Done on the model by loads, water and waves, and by gravity as far as it is not the steady one: its ramp, a base
+  /// that is shaken.
+  double external = 0;
 };
 
 inline NodeWork operator+(const NodeWork& a, const NodeWork& b) {

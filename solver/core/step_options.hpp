@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "solver/model/ground_motion.hpp"
 #include "solver/model/solver_options.hpp"
 
 namespace scarp {
@@ -12,20 +13,30 @@ Vec3 gravity_of(const SolverOptions& options, int dimension);
 /// What SolverOptions asks of a step, in every formulation.
 class StepOptions {
  public:
-  StepOptions(const SolverOptions& options, int dimension);
+  /// @param shaking  must outlive this object
+  StepOptions(const SolverOptions& options, int dimension, const std::vector<GroundMotion>& shaking);
 
-  /// Gravity in the middle of the step, as it grows over the ramp, smoothly from 0 to all of it: no kink at either end.
+  /// Gravity in the middle of the step, as it grows over the ramp, smoothly from 0 to all of it: no kink at either end;
+  /// less the mean acceleration of a rigidly shaken base.
   Vec3 gravity_at(double time, double dt) const;
+  /// How much of gravity the ramp lets through in the middle of the step.
+  double ramp(double time, double dt) const;
   /// The FLIP share of a step, with what the PIC rate takes in it.
   double flip_share(double dt) const;
-  /// From now on gravity is the steady one.
-  void end_ramp() { gravity_ramp_ = 0; }
+  /// For a start at rest: nothing shakes until it ends. Then gravity is the steady one.
+  void begin_relaxing() { still_ = true; }
+  void rest() {
+    still_ = false;
+    gravity_ramp_ = 0;
+  }
 
   Vec3 gravity;  ///< the steady one, m/s2
   double courant;
   double damping;
 
  private:
+  const std::vector<GroundMotion>& shaking_;
+  bool still_ = false;
   double flip_, pic_rate_, gravity_ramp_;
 };
 

@@ -9,6 +9,7 @@
 #include "solver/core/body_force.hpp"
 #include "solver/core/check_model.hpp"
 #include "solver/core/diagnostics.hpp"
+#include "solver/core/shaking.hpp"
 #include "solver/core/step_limit.hpp"
 #include "solver/core/stress.hpp"
 #include "solver/core/total_loads.hpp"
@@ -36,7 +37,7 @@ TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int
                                  const kernels::Kernels& kernels)
     : body_force(model.body_force),
       model_(model),
-      options_(options, model.domain.dimension),
+      options_(options, model.domain.dimension, model.shaking),
       threads_(std::max(1, threads)) {
   check_model(model);
   check_options(options, model.domain.dimension);
@@ -141,7 +142,8 @@ StressOutcome TotalLagrangian::step_nodal(NodalBody& body, const Vec3& gravity, 
 StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravity, double dt) {
   Particles& particles = model_.particles;
   if (body_force) add_body_force(particles, body, accelerations_);  // (1)
-  advance_nodes(body, gravity, dt, threads_);                       // (2)
+  if (model_.water) map_water_force(particles, body, *model_.water, options_.ramp(time_, dt), threads_);
+  advance_nodes(body, gravity, dt, threads_);  // (2)
   work_ = work_ +
           act_on_nodes(body.conditions, nodes_of(body, dt, time_), body.held_now, gravity - options_.gravity, threads_);
   if (body_force) work_.external += work_of_body_force(particles, body, accelerations_, dt);
@@ -157,6 +159,7 @@ std::int64_t TotalLagrangian::step(double dt) {
   const bool look = ++since_look_ == kStepsPerLook;
   const double last_fastest = fastest_;
   if (look) since_look_ = 0;
+  for (TotalBody& body : bodies_) send_waves(body.conditions.faces, model_.shaking, time_, dt);
   fastest_ = 0;
   bad_particle_ = -1;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
@@ -170,6 +173,7 @@ std::int64_t TotalLagrangian::step(double dt) {
 
 void TotalLagrangian::begin_relaxing(double damping) {
   relaxing_ = true;
+  options_.begin_relaxing();
   start_velocity_ = model_.particles.velocity;
   std::fill(model_.particles.velocity.begin(), model_.particles.velocity.end(), Vec3{0, 0, 0});
   for (TotalBody& body : bodies_) {
@@ -191,7 +195,7 @@ void TotalLagrangian::rest() {
     body.held_now = body.held;
   }
   map_state();
-  options_.end_ramp();
+  options_.rest();
   work_ = {};
   time_ = 0;
 }

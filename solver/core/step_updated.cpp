@@ -15,7 +15,7 @@ UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options,
     : model_(model),
       grid_(make_updated_grid(model, options.shape, threads)),
       order_(options.update),
-      options_(options, model.domain.dimension),
+      options_(options, model.domain.dimension, model.shaking),
       conditions_(model, grid_, options.damping),
       threads_(threads) {
   if (options.anti_locking == AntiLocking::f_bar) average_volumes(grid_);
@@ -62,7 +62,7 @@ void UpdatedLagrangian::step(double dt) {
     map_forces(particles, grid_, threads_);                      // (1)
   }
   advance_nodes(grid_, gravity, dt, threads_);  // (2)
-  work_ = work_ + conditions_.act(grid_, time_, dt, gravity - options_.gravity, threads_);
+  work_ = work_ + conditions_.act(grid_, time_, dt, gravity - options_.gravity, options_.ramp(time_, dt), threads_);
   particle_speed_ = advance_particles(particles, grid_, options_.flip_share(dt), dt, threads_);  // (3), (5)
   if (order_ != UpdateOrder::usf) {
     if (order_ == UpdateOrder::musl)
@@ -79,6 +79,7 @@ void UpdatedLagrangian::step(double dt) {
 void UpdatedLagrangian::begin_relaxing(double damping) {
   for (std::uint32_t p : grid_.particles) model_.particles.velocity[p] = {0, 0, 0};
   conditions_.begin_relaxing(damping);
+  options_.begin_relaxing();
   find_speeds();
 }
 
@@ -87,7 +88,7 @@ void UpdatedLagrangian::rest() {
   conditions_.rest(grid_);
   place();
   find_speeds();
-  options_.end_ramp();
+  options_.rest();
   work_ = {};
   time_ = 0;
 }

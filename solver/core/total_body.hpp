@@ -36,6 +36,7 @@ struct TotalBody {
   std::vector<Vec3> velocity;          ///< v_I, of the momentum mapped last
   std::vector<Vec3> velocity_updated;  ///< v~_I
   std::vector<Vec3> slots;             ///< per cell and corner: momentum, then force
+  std::vector<Vec3> water_slots;       ///< per cell and corner; empty without water
   std::vector<Mat3> since;             ///< per particle F as the nodes move it, with average_volumes; else empty
 };
 

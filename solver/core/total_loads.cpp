@@ -7,7 +7,9 @@
 
 #include "solver/core/check_model.hpp"
 #include "solver/core/linear_cell.hpp"
+#include "solver/core/pore_water.hpp"
 #include "solver/model/error.hpp"
+#include "solver/model/parallel.hpp"
 
 namespace scarp {
 namespace {
@@ -34,7 +36,38 @@ std::vector<Vec3> map_forces(const TotalBody& body, const ParticleForces& load) 
   return nodes;
 }
 
+template <int D>
+void add_water(const Particles& particles, TotalBody& body, const WaterTable& water, double ramp, std::size_t cell) {
+  using Cell = LinearCell<D>;
+  typename Cell::Values m, sums[D]{};
+  for (std::size_t p = body.grid.cell_begin[cell]; p < body.grid.cell_begin[cell + 1]; ++p) {
+    const Vec3 force = ramp * water_force(water, particles, p, D);
+    Cell::monomials(body.grid.xi[p - body.begin], m);
+    for (int d = 0; d < D; ++d) Cell::add_value(sums[d], m, force[d]);
+  }
+  for (int d = 0; d < D; ++d) Cell::to_corners(sums[d]);
+  for (int k = 0; k < Cell::N; ++k)
+    for (int d = 0; d < D; ++d) body.water_slots[cell * Cell::N + k][d] = sums[d][k];
+}
+
 }  // namespace
+
+void map_water_force(const Particles& particles, TotalBody& body, const WaterTable& water, double ramp, int threads) {
+  body.water_slots.resize(body.slots.size(), Vec3{0, 0, 0});
+  parallel_for(body.tasks.size(), threads, [&](std::size_t t) {
+    for (std::size_t cell = body.tasks[t].begin; cell < body.tasks[t].end; ++cell)
+      body.grid.dimension == 2 ? add_water<2>(particles, body, water, ramp, cell)
+                               : add_water<3>(particles, body, water, ramp, cell);
+  });
+  std::vector<Vec3>& nodes = body.conditions.loads.present;
+  nodes.resize(body.grid.nodes.size());
+  parallel_for(nodes.size(), threads, [&](std::size_t i) {
+    Vec3 sum{0, 0, 0};
+    for (std::uint32_t s = body.grid.around_begin[i]; s < body.grid.around_begin[i + 1]; ++s)
+      sum = sum + body.water_slots[body.grid.around[s]];
+    nodes[i] = free_part(sum, body.held[i]);
+  });
+}
 
 void set_loads(std::vector<TotalBody>& bodies, const Model& model) {
   if (model.loads.empty()) return;

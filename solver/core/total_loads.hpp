@@ -14,4 +14,7 @@ namespace scarp {
 ///         whose bodies are all total-Lagrangian.
 void set_loads(std::vector<TotalBody>& bodies, const Model& model);
 
+/// (1) The water's force on the body's particles where they are, times `ramp`, into NodeLoads::present.
+void map_water_force(const Particles& particles, TotalBody& body, const WaterTable& water, double ramp, int threads);
+
 }  // namespace scarp

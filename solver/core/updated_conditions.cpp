@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "solver/core/pore_water.hpp"
+#include "solver/core/shaking.hpp"
 #include "solver/core/updated_window.hpp"
 #include "solver/core/wave_speeds.hpp"
 #include "solver/model/error.hpp"
@@ -73,7 +75,7 @@ void add_wave_speeds(const Model& model, const UpdatedGrid& grid, const std::vec
     if (!beside) continue;
     for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
       const std::uint32_t p = grid.members[m];
-      const Vec2& speed = of_materials[model.particles.material[p]];
+      const Vec2 speed = wave_speeds_of(model, of_materials, p);
       WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) {
         const std::uint32_t node = window_node<D, S>(grid, c, k);
         const double weight = phi * model.particles.mass[p];
@@ -100,7 +102,7 @@ UpdatedConditions::UpdatedConditions(const Model& model, UpdatedGrid& grid, doub
       loads_(find_particle_forces(model)) {
   conditions_.damping = damping;
   if (has_absorbing_face(model.domain)) material_speeds_ = material_wave_speeds(model);
-  if (!loads_.empty()) particle_force_.assign(model.particles.size(), Vec3{0, 0, 0});
+  if (!loads_.empty() || model.water) particle_force_.assign(model.particles.size(), Vec3{0, 0, 0});
   require_nodes(model, grid);
   follow(grid);
 }
@@ -130,16 +132,23 @@ void UpdatedConditions::find_faces(const UpdatedGrid& grid) {
   conditions_.faces = std::move(faces);
 }
 
-void UpdatedConditions::map_forces(const UpdatedGrid& grid, double time, double dt, int threads) {
+void UpdatedConditions::find_particle_forces_at(double time) {
   for (const ParticleForces& load : loads_)
     for (std::uint32_t p : load.particles) particle_force_[p] = {0, 0, 0};
   for (const ParticleForces& load : loads_) {
-    const double factor = factor_at(load.table, conditions_.loads.time_of_forces(time, dt));
+    const double factor = factor_at(load.table, time);
     for (std::size_t k = 0; k < load.particles.size(); ++k) {
       Vec3& force = particle_force_[load.particles[k]];
       force = force + factor * load.forces[k];
     }
   }
+}
+
+void UpdatedConditions::map_forces(const UpdatedGrid& grid, double ramp, int threads) {
+  const auto force_on = [&](std::uint32_t p) {
+    const Vec3& load = particle_force_[p];
+    return model_.water ? load + ramp * water_force(*model_.water, model_.particles, p, grid.dimension) : load;
+  };
   std::vector<Vec3>& nodes = conditions_.loads.present;
   nodes.resize(grid.nodes.size());
   slots_.resize(grid.cells.size() * grid.window());
@@ -147,7 +156,7 @@ void UpdatedConditions::map_forces(const UpdatedGrid& grid, double time, double 
     for_each_updated_cell(grid, threads, [&](std::size_t, std::size_t c) {
       Vec3 sums[kWindow<D, S>]{};
       for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
-        const Vec3& force = particle_force_[grid.members[m]];
+        const Vec3 force = force_on(grid.members[m]);
         if (force == Vec3{0, 0, 0}) continue;
         WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) { sums[k] = sums[k] + phi * force; });
       }
@@ -163,8 +172,13 @@ void UpdatedConditions::map_forces(const UpdatedGrid& grid, double time, double 
   });
 }
 
-NodeWork UpdatedConditions::act(UpdatedGrid& grid, double time, double dt, const Vec3& missing_gravity, int threads) {
-  if (!particle_force_.empty()) map_forces(grid, time, dt, threads);
+NodeWork UpdatedConditions::act(UpdatedGrid& grid, double time, double dt, const Vec3& missing_gravity, double ramp,
+                                int threads) {
+  send_waves(conditions_.faces, model_.shaking, time, dt);
+  if (!particle_force_.empty()) {
+    find_particle_forces_at(conditions_.loads.time_of_forces(time, dt));
+    map_forces(grid, ramp, threads);
+  }
   const NodeStep nodes{
       grid.nodes.size(), grid.mass.data(), grid.velocity.data(), grid.velocity_updated.data(), dt, time};
   return act_on_nodes(conditions_, nodes, grid.held_now, missing_gravity, threads);

@@ -29,7 +29,8 @@ class UpdatedConditions {
   }
 
   /// See act_on_nodes; `grid.velocity_updated` comes with internal forces, gravity and held axes done.
-  NodeWork act(UpdatedGrid& grid, double time, double dt, const Vec3& missing_gravity, int threads);
+  /// @param ramp  how much of gravity holds, and so of the water's pressure
+  NodeWork act(UpdatedGrid& grid, double time, double dt, const Vec3& missing_gravity, double ramp, int threads);
 
   /// A start at rest is sought, with this damping; then ended, while the particles still stand where they found it.
   void begin_relaxing(double damping);
@@ -37,7 +38,8 @@ class UpdatedConditions {
 
  private:
   void find_faces(const UpdatedGrid& grid);
-  void map_forces(const UpdatedGrid& grid, double time, double dt, int threads);
+  void find_particle_forces_at(double time);
+  void map_forces(const UpdatedGrid& grid, double ramp, int threads);
 
   const Model& model_;
   NodeConditions conditions_;

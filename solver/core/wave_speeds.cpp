@@ -20,7 +20,7 @@ void add_momenta(std::vector<Vec2>& sums, const Model& model, const ReferenceGri
     for (std::size_t p = grid.cell_begin[c]; p < grid.cell_begin[c + 1]; ++p) {
       Cell::monomials(grid.xi[p - begin], m);
       for (int i = 0; i < 2; ++i)
-        Cell::add_value(of_cell[i], m, model.particles.mass[p] * speeds[model.particles.material[p]][i]);
+        Cell::add_value(of_cell[i], m, model.particles.mass[p] * wave_speeds_of(model, speeds, p)[i]);
     }
     for (int i = 0; i < 2; ++i) {
       Cell::to_corners(of_cell[i]);
@@ -45,6 +45,14 @@ std::vector<Vec2> material_wave_speeds(const Model& model) {
         },
         material.law));
   return speeds;
+}
+
+Vec2 wave_speeds_of(const Model& model, const std::vector<Vec2>& of_materials, std::size_t p) {
+  const std::int32_t material = model.particles.material[p];
+  const double density = std::visit([](const auto& m) { return m.density; }, model.materials[material].law);
+  const double heavier = model.particles.mass[p] / (density * model.particles.reference_volume[p]);
+  const Vec2& speeds = of_materials[material];
+  return {speeds[0] / std::sqrt(heavier), speeds[1] / std::sqrt(heavier)};
 }
 
 std::vector<Vec2> node_wave_speeds(const Model& model, const ReferenceGrid& grid, std::size_t begin) {

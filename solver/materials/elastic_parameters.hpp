@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "solver/model/schema.hpp"
 
@@ -13,6 +14,7 @@ struct ElasticParameters {
   double density = 0;
   double youngs_modulus = 0;
   double poissons_ratio = 0;
+  std::optional<double> saturated_density = std::nullopt;
 
   double shear_modulus() const { return youngs_modulus / (2 * (1 + poissons_ratio)); }
   /// Lame's first parameter.
@@ -28,6 +30,8 @@ struct ElasticParameters {
       Spec{.text = "mass density in the reference configuration", .unit = "kg/m3", .above = 0, .required = true});
     v("youngs_modulus", youngs_modulus, Spec{.text = "Young's modulus", .unit = "Pa", .above = 0, .required = true});
     v("poissons_ratio", poissons_ratio, Spec{.text = "Poisson's ratio", .above = -1, .below = 0.5, .required = true});
+    v("saturated_density", saturated_density,
+      Spec{.text = "mass density below the water table, pores full; default: density", .unit = "kg/m3", .above = 0});
   }
 };
 

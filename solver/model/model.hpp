@@ -5,16 +5,19 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "solver/materials/material.hpp"
 #include "solver/model/body_options.hpp"
 #include "solver/model/domain.hpp"
+#include "solver/model/ground_motion.hpp"
 #include "solver/model/load_options.hpp"
 #include "solver/model/particles.hpp"
 #include "solver/model/reports.hpp"
 #include "solver/model/site.hpp"
+#include "solver/model/water_table.hpp"
 
 namespace scarp {
 
@@ -48,8 +51,11 @@ struct Model {
   Particles particles;
   std::vector<VolumeReport> volumes;  ///< one per body
   SiteFrame site;
-  std::vector<LoadOptions> loads;  ///< local; of the run, not stored with the model
-  /// Acceleration beside gravity at the reference position X, m/s2; of the run, not stored with the model.
+  // Of the run, not stored with the model:
+  std::vector<LoadOptions> loads;  ///< local
+  std::vector<GroundMotion> shaking;
+  std::optional<WaterTable> water;
+  /// Acceleration beside gravity at the reference position X, m/s2.
   std::function<Vec3(const Vec3& X, double time)> body_force;
 };
 

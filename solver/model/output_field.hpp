@@ -18,11 +18,12 @@ enum class OutputField {
   von_mises_stress,
   volume_ratio,
   deformation_gradient,
-  density
+  density,
+  pore_pressure
 };
 template <>
 struct enum_names<OutputField> {
-  static constexpr std::array<std::pair<std::string_view, OutputField>, 9> value{
+  static constexpr std::array<std::pair<std::string_view, OutputField>, 10> value{
       {{"displacement", OutputField::displacement},
        {"velocity", OutputField::velocity},
        {"stress", OutputField::stress},
@@ -31,7 +32,8 @@ struct enum_names<OutputField> {
        {"von_mises_stress", OutputField::von_mises_stress},
        {"volume_ratio", OutputField::volume_ratio},
        {"deformation_gradient", OutputField::deformation_gradient},
-       {"density", OutputField::density}}};
+       {"density", OutputField::density},
+       {"pore_pressure", OutputField::pore_pressure}}};
 };
 
 }  // namespace scarp

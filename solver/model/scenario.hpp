@@ -16,7 +16,9 @@
 #include "solver/model/probe_options.hpp"
 #include "solver/model/render_options.hpp"
 #include "solver/model/scan_options.hpp"
+#include "solver/model/shaking_options.hpp"
 #include "solver/model/solver_options.hpp"
+#include "solver/model/water_table.hpp"
 
 namespace scarp {
 
@@ -63,7 +65,9 @@ struct Scenario {
   DomainOptions domain;
   std::map<std::string, Material> materials;
   std::vector<BodyOptions> bodies;
+  std::optional<WaterTableOptions> water_table;
   std::vector<LoadOptions> loads;
+  std::vector<ShakingOptions> shaking;
   SolverOptions solver;
   OutputOptions output;
   std::vector<ProbeOptions> probes;
@@ -77,7 +81,10 @@ struct Scenario {
     v("domain", domain, Spec{.text = "the box, its grid and its faces", .required = true});
     v("materials", materials, Spec{.text = "laws and their parameters, by name", .required = true});
     v("bodies", bodies, Spec{.text = "what is simulated", .required = true});
+    v("water_table", water_table,
+      Spec{.text = "pore pressure as a given field: hydrostatic below this level; stresses are effective ones then"});
     v("loads", loads, Spec{.text = "what acts on the bodies in time, beside gravity"});
+    v("shaking", shaking, Spec{.text = "records of acceleration that shake the base"});
     v("solver", solver, Spec{.text = "method and time", .required = true});
     v("output", output, Spec{.text = "what is kept of the run"});
     v("probes", probes, Spec{.text = "what is watched while the run goes"});

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "solver/model/k0_options.hpp"
 #include "solver/model/load_options.hpp"
 #include "solver/model/math.hpp"
 #include "solver/model/output_field.hpp"
@@ -57,6 +58,7 @@ struct SolverOptions {
   std::vector<std::string> body_force;
   double gravity_ramp = 0;
   double damping = 0;
+  std::optional<K0Options> k0;
   std::optional<RelaxOptions> relax;
   double courant = 0.4;
   double end_time = 0;
@@ -98,6 +100,9 @@ struct SolverOptions {
       Spec{.text = "local damping: share of a node's out-of-balance force that works against its velocity",
            .at_least = 0,
            .below = 1});
+    v("k0", k0,
+      Spec{.text = "start from the stress of the overburden, horizontal in a ratio to vertical; a slope needs `relax` "
+                   "beside it, which then starts from there"});
     v("relax", relax,
       Spec{.text =
                "start from rest under gravity: relax first, then set velocity and displacement to zero, keep stress"});
@@ -113,6 +118,7 @@ struct OutputOptions {
   std::vector<OutputField> fields{OutputField::displacement, OutputField::velocity, OutputField::stress,
                                   OutputField::equivalent_plastic_strain};
   RunOutOptions run_out;
+  bool absolute = false;
 
   template <class V>
   void describe(V&& v) {
@@ -122,6 +128,9 @@ struct OutputOptions {
       Spec{.text = "interval between rows of history.csv; default: a tenth of the frames'", .unit = "s", .above = 0});
     v("fields", fields, Spec{.text = "what a frame holds per particle, beside id, body, material, surface and colour"});
     v("run_out", run_out, Spec{.text = "how run-out, deposit and footprint in summary.json are measured"});
+    v("absolute", absolute,
+      Spec{.text = "positions, displacements and velocities of frames with the motion of a rigidly shaken base; "
+                   "otherwise relative to it"});
   }
 };
 

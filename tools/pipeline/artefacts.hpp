@@ -23,6 +23,9 @@ struct Artefacts {
   std::filesystem::path history() const { return root / "history.csv"; }
   std::filesystem::path probes() const { return root / "probes"; }
   std::filesystem::path probe(const std::string& name) const { return probes() / (name + ".csv"); }
+  std::filesystem::path shaking(std::size_t index) const {
+    return root / ("shaking_" + std::to_string(index) + ".csv");
+  }
   std::filesystem::path images() const { return root / "images"; }
   std::filesystem::path image(const std::string& name, std::int64_t index) const {
     return images() / numbered(name, index, ".png");

@@ -42,6 +42,7 @@ std::vector<std::string> check_project(Project& project) {
   });
   Model model = build_model(project, scans, site);
   add_run_inputs(project, model);
+  for (const std::string& sentence : describe_shaking(project, model)) facts.push_back(sentence);
   for (const VolumeReport& report : model.volumes) describe_body(report, facts);
   const RunEstimate estimated = estimate(model, project.scenario.solver, project.scenario.output);
   facts.push_back(format("origin: %.0f %.0f %.0f", site.origin[0], site.origin[1], site.origin[2]));

@@ -52,6 +52,14 @@ Json sections(const Scenario& scenario, Maker maker) {
     only.domain.dimension = scenario.domain.dimension;
     only.loads = scenario.loads;
   });
+  hashes["water_table"] = hash_of([&](Scenario& only) {
+    only.domain.dimension = scenario.domain.dimension;
+    only.water_table = scenario.water_table;
+  });
+  hashes["shaking"] = hash_of([&](Scenario& only) {
+    only.domain.dimension = scenario.domain.dimension;
+    only.shaking = scenario.shaking;
+  });
   hashes["output"] = hash_of([&](Scenario& only) { only.output = scenario.output; });
   return hashes;
 }

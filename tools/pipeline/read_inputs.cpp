@@ -34,6 +34,13 @@ TriangleMesh local_mesh(const std::string& path, const SiteFrame& site) {
   return mesh;
 }
 
+template <class Alternative, class Variant, class F>
+void if_is(const Variant& variant, F&& f) {
+  if (const auto* alternative = std::get_if<Alternative>(&variant)) f(*alternative);
+}
+
+}  // namespace
+
 Heightfield local_surface(const std::string& path, const SiteFrame& site) {
   Heightfield field = read_raster(path);
   require_same_crs({"the scans", path}, {site.crs, field.site.crs});
@@ -43,13 +50,6 @@ Heightfield local_surface(const std::string& path, const SiteFrame& site) {
   field.site = site;
   return field;
 }
-
-template <class Alternative, class Variant, class F>
-void if_is(const Variant& variant, F&& f) {
-  if (const auto* alternative = std::get_if<Alternative>(&variant)) f(*alternative);
-}
-
-}  // namespace
 
 SiteFrame for_each_cleaned_scan(const Project& project,
                                 const std::function<void(const ScanOptions&, IngestResult)>& use) {
@@ -125,6 +125,8 @@ std::vector<std::filesystem::path> input_files(const Scenario& scenario) {
   }
   for (const CompareOptions& comparison : scenario.compare)
     if (comparison.m3c2.core_points) files.emplace_back(comparison.m3c2.core_points->path);
+  if (scenario.water_table && scenario.water_table->surface) files.emplace_back(scenario.water_table->surface->path);
+  for (const ShakingOptions& shaking : scenario.shaking) files.emplace_back(shaking.file.path);
   return files;
 }
 

@@ -29,6 +29,9 @@ Model build_model(const Project& project, const std::map<std::string, PointCloud
 /// Names of the scans whose surface some body is made from.
 std::vector<std::string> scans_of_bodies(const Scenario& scenario);
 
+/// A raster of elevations in local coordinates. @throws Error where its reference system is another than the site's.
+Heightfield local_surface(const std::string& path, const SiteFrame& site);
+
 /// Every file that the scenario reads.
 std::vector<std::filesystem::path> input_files(const Scenario& scenario);
 

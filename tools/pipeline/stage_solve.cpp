@@ -124,9 +124,11 @@ void solve_stage(Project& project, Outcome& outcome) {
   require_made_from(project, Maker::discretize);
   Model model = read_discretized(project);
   add_run_inputs(project, model);
+  for (const std::string& sentence : describe_shaking(project, model)) project.reporter->note(sentence);
   // Before the first frame, so that frames of a run that was cut off are known for what they are.
   record_summary(project, "solver", {{"status", "running"}});
   record_made_from(project, Maker::solver);
+  record_shaking(project, model);
   RunWriter writer(project, model);
   const Stopwatch watch;
   // Waiting for each other costs threads more than a small model's sweeps; the bits are the same.

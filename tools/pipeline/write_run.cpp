@@ -34,7 +34,7 @@ RunWriter::RunWriter(const Project& project, const Model& model)
 void RunWriter::frame(const Model& model, double time, std::int64_t step) {
   const Stopwatch watch;
   const fs::path path = project_.artefacts.frame(static_cast<std::int64_t>(series_.size()));
-  write_frame(path, make_frame(model, project_.scenario.output.fields, time, step));
+  write_frame(path, make_frame(model, project_.scenario.output.fields, time, step, project_.scenario.output.absolute));
   series_.emplace_back((fs::path("frames") / path.filename()).string(), time);
   write_series(project_.artefacts.series(), series_);
   write_whole(project_.artefacts.history(), history_);

@@ -3,6 +3,7 @@
 #include "tools/scenario/check_scenario.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "solver/materials/law.hpp"
@@ -41,6 +42,9 @@ class Checker {
     check_run_out();
     for (std::size_t i = 0; i < scenario_.loads.size(); ++i) check_load(i);
     for (std::size_t i = 0; i < scenario_.probes.size(); ++i) check_probe(i);
+    check_water();
+    check_k0();
+    for (std::size_t i = 0; i < scenario_.shaking.size(); ++i) check_shaking(i);
     for (std::size_t i = 0; i < scenario_.render.size(); ++i) check_render(i);
     for (std::size_t i = 0; i < scenario_.compare.size(); ++i) check_compare(i);
     check_names("compare", compare_names());
@@ -285,6 +289,60 @@ class Checker {
              "any length above 0");
       if (plane->within) check_corners(where + "within", plane->within->min, plane->within->max, dimension);
     }
+  }
+
+  void check_down(const Steps& steps) const {
+    const auto& gravity = scenario_.solver.gravity;
+    if (!gravity) return;
+    const int up = scenario_.domain.dimension - 1;
+    const double down = -(*gravity)[up];
+    if (!(down > 0) || std::abs(norm(*gravity) - down) > 1e-12 * down)
+      fail({"solver", "gravity"}, "solver.gravity must point straight down with " + path_of(steps),
+           flat() ? "[0, -g]" : "[0, 0, -g]");
+  }
+
+  void check_water() const {
+    if (!scenario_.water_table) return;
+    const WaterTableOptions& water = *scenario_.water_table;
+    const Steps steps{"water_table"};
+    if (water.elevation.has_value() + !water.line.empty() + water.surface.has_value() != 1)
+      fail(steps, "water_table must have one of \"elevation\", \"line\" and \"surface\"");
+    if (!water.line.empty()) need_dimension(steps, "line", 2);
+    if (water.surface) need_dimension(steps, "surface", 3);
+    for (std::size_t i = 1; i < water.line.size(); ++i)
+      if (!(water.line[i - 1][0] < water.line[i][0]))
+        fail(steps + "line" + std::to_string(i), "water_table.line: x must rise",
+             "above " + shortest(water.line[i - 1][0]));
+    check_down(steps);
+  }
+
+  void check_k0() const {
+    if (!scenario_.solver.k0) return;
+    check_down({"solver", "k0"});
+    if (scenario_.solver.gravity_ramp > 0)
+      fail({"solver", "gravity_ramp"},
+           "solver.gravity_ramp does not go with solver.k0, whose stress bears all of gravity", "0 s");
+  }
+
+  void check_shaking(std::size_t i) const {
+    const ShakingOptions& shaking = scenario_.shaking[i];
+    const Steps steps{"shaking", std::to_string(i)};
+    if (norm(shaking.direction) == 0)
+      fail(steps + "direction", path_of(steps + "direction") + " has no length", "a vector, as [1, 0]");
+    if (shaking.base != scenario_.shaking[0].base)
+      fail(steps + "base", path_of(steps) + ": rigid and compliant bases do not mix", "the same for all records");
+    if (shaking.base == ShakenBase::rigid) {
+      if (shaking.face) fail(steps + "face", path_of(steps + "face") + " is for base = \"compliant\"");
+      return;
+    }
+    const FaceName face = shaking.face.value_or(flat() ? FaceName::y_min : FaceName::z_min);
+    if (flat() && static_cast<int>(face) >= 4)
+      fail(steps + "face", path_of(steps + "face") + ": plane strain has no faces in z", "x_min, x_max, y_min, y_max");
+    const BoundaryOptions& b = scenario_.domain.boundary;
+    const Face faces[]{b.x_min, b.x_max, b.y_min, b.y_max, b.z_min, b.z_max};
+    if (faces[static_cast<int>(face)].condition != FaceCondition::absorbing)
+      fail(steps, path_of(steps) + ": a compliant base needs an absorbing face to come through",
+           "domain.boundary." + std::string(name_of(face)) + " = \"absorbing\"");
   }
 
   void check_unique_fields() const {
