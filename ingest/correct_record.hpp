@@ -9,10 +9,10 @@ namespace scarp {
 
 /// Takes drift out of a record (Boore and Bommer 2005): its integrals would otherwise carry the ground away.
 ///
-/// high_pass: a Butterworth filter of second order by the bilinear transform, run forwards and backwards over the record
-/// with zeros before and after it, so that phases stay; for records of one interval.
-/// baseline: the polynomial without constant term that fits the velocity, the record's exact integral, best by least
-/// squares over its samples; its derivative is subtracted from the accelerations.
+/// high_pass: a Butterworth filter of second order by the bilinear transform, run forwards and backwards over the
+/// record with zeros before and after it, so that phases stay; for records of one interval. baseline: the polynomial
+/// without constant term that fits the velocity, the record's exact integral, best by least squares over its samples;
+/// its derivative is subtracted from the accelerations.
 ///
 /// @throws Error ("ingest") where a record with varying intervals is to be filtered, or the frequency is not below half
 ///         of the sampling rate.

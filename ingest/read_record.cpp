@@ -138,8 +138,7 @@ AccelerationRecord read_table(BufferedFile& file, std::optional<AccelerationUnit
     record.time.push_back(values[0]);
     record.acceleration.push_back(factor_of(*unit) * values[1]);
   }
-  if (record.time.size() < 2)
-    refuse(file, "samples of the record", std::to_string(record.time.size()), "at least two");
+  if (record.time.size() < 2) refuse(file, "samples of the record", std::to_string(record.time.size()), "at least two");
   return record;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "solver/core/pore_water.hpp"
@@ -89,7 +90,8 @@ double ratio_of(const NamedMaterial& material, const K0Options& k0) {
   return std::visit(
       [&](const auto& m) {
         if constexpr (requires { m.friction_angle; })
-          if (k0.rule == K0Rule::jaky) return 1 - std::sin(m.friction_angle * std::numbers::pi / 180);
+          if (const std::optional<double> angle = m.friction_angle; angle && k0.rule == K0Rule::jaky)
+            return 1 - std::sin(*angle * std::numbers::pi / 180);
         if constexpr (requires { m.poissons_ratio; }) return m.poissons_ratio / (1 - m.poissons_ratio);
         return 1.0;  // what has neither bears no shear
       },
@@ -127,8 +129,8 @@ void set_k0_stress(Model& model, const SolverOptions& options, int threads) {
   const int D = model.domain.dimension;
   const double gravity = vertical_gravity(options, D, "k0");
   if (options.gravity_ramp > 0)
-    throw Error("solve", "gravity_ramp with k0, whose stress bears all of gravity", shortest(options.gravity_ramp) + " s",
-                "0 s");
+    throw Error("solve", "gravity_ramp with k0, whose stress bears all of gravity",
+                shortest(options.gravity_ramp) + " s", "0 s");
   std::vector<double> ratios;
   std::vector<PreparedLaw> laws;
   for (const NamedMaterial& material : model.materials) {

@@ -7,12 +7,12 @@
 
 namespace scarp {
 
-/// Pore pressure as a given field, u = gamma_w (h(x) - z) below the table h and none above it (no suction). It belongs to
-/// space: a particle has that of where it is now. Laws see the effective stress, and the momentum balance is that of the
-/// total stress sigma' - u I: each volume of ground under water gets the force - grad u = gamma_w (- grad h, 1) beside
-/// the weight of its grains and its water. Where the table stands above the ground the free water presses on its surface
-/// with u; that traction is in this force, since by the divergence theorem both leave - grad u alone. Elsewhere the table
-/// must not cut a dry surface: u there would need a traction that nothing gives.
+/// Pore pressure as a given field, u = gamma_w (h(x) - z) below the table h and none above it (no suction). It belongs
+/// to space: a particle has that of where it is now. Laws see the effective stress, and the momentum balance is that of
+/// the total stress sigma' - u I: each volume of ground under water gets the force - grad u = gamma_w (- grad h, 1)
+/// beside the weight of its grains and its water. Where the table stands above the ground the free water presses on its
+/// surface with u; that traction is in this force, since by the divergence theorem both leave - grad u alone. Elsewhere
+/// the table must not cut a dry surface: u there would need a traction that nothing gives.
 ///
 /// Weights: below the table of the start a particle has its material's saturated density, above it the density; it
 /// keeps its mass, as water that drains or enters takes longer than a slide.

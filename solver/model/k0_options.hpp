@@ -27,8 +27,9 @@ struct K0Options {
     v("ratio", ratio,
       Spec{.text = "horizontal over vertical effective stress, of all materials; default: by the rule", .above = 0});
     v("rule", rule,
-      Spec{.text = "\"jaky\": 1 - sin(friction_angle), and the elastic one where a law has none; \"elastic\": nu / (1 - "
-                   "nu), of confined compression"});
+      Spec{.text =
+               "\"jaky\": 1 - sin(friction_angle), and the elastic one where a law has none; \"elastic\": nu / (1 - "
+               "nu), of confined compression"});
   }
 };
 

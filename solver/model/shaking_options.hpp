@@ -32,7 +32,9 @@ enum class AccelerationUnit { metres, centimetres, gravities };
 template <>
 struct enum_names<AccelerationUnit> {
   static constexpr std::array<std::pair<std::string_view, AccelerationUnit>, 3> value{
-      {{"m/s2", AccelerationUnit::metres}, {"cm/s2", AccelerationUnit::centimetres}, {"g", AccelerationUnit::gravities}}};
+      {{"m/s2", AccelerationUnit::metres},
+       {"cm/s2", AccelerationUnit::centimetres},
+       {"g", AccelerationUnit::gravities}}};
 };
 
 /// Where a record was taken, for a compliant base.
@@ -62,15 +64,17 @@ struct ShakingOptions {
       Spec{.text = "the record: PEER AT2 (extension .at2), else CSV with the columns time (s) and acceleration",
            .required = true});
     v("base", base,
-      Spec{.text = "\"rigid\": the record is the motion of everything that faces and bodies hold, and frames are "
-                   "relative to it; \"compliant\": it comes as a wave through an absorbing face (Joyner and Chen 1975)"});
+      Spec{.text =
+               "\"rigid\": the record is the motion of everything that faces and bodies hold, and frames are "
+               "relative to it; \"compliant\": it comes as a wave through an absorbing face (Joyner and Chen 1975)"});
     v("direction", direction, Spec{.text = "in which positive acceleration points; its length does not count"});
     v("scale", scale, Spec{.text = "factor of the accelerations"});
     v("start", start, Spec{.text = "when the record begins; all is still before", .unit = "s", .at_least = 0});
     v("unit", unit, Spec{.text = "of the accelerations; default: what the file says, as in \"acceleration (g)\""});
     v("baseline", baseline,
-      Spec{.text = "drift to take out: the derivative of the polynomial b t, b t + c t^2 or b t + c t^2 + d t^3 that "
-                   "fits the velocity best by least squares, so a \"constant\", \"linear\" or \"quadratic\" acceleration"});
+      Spec{.text =
+               "drift to take out: the derivative of the polynomial b t, b t + c t^2 or b t + c t^2 + d t^3 that "
+               "fits the velocity best by least squares, so a \"constant\", \"linear\" or \"quadratic\" acceleration"});
     v("high_pass", high_pass,
       Spec{.text = "frequency below which motion is filtered out first, by a Butterworth filter of second order that "
                    "runs forwards and backwards (no delay)",
