@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "solver/materials/symmetric_eigen.hpp"
+#include "tests/support/driven_point.hpp"
 #include "tests/support/validation_table.hpp"
-#include "tests/unit/materials/driven_point.hpp"
 
 namespace scarp {
 namespace {

@@ -72,7 +72,8 @@ TEST(ShakenBase, AColumnOnARigidBaseAmplifiesByItsTransferFunction) {
         return amplitude * s * s * s * (10 - s * (15 - 6 * s)) * std::sin(omega * t);
       };
       const double d = 1e-3;
-      model.shaking = {motion(end, 0.002, [&](double t) { return t == 0 ? 0 : (u(t + d) - 2 * u(t) + u(t - d)) / d / d; })};
+      model.shaking = {
+          motion(end, 0.002, [&](double t) { return t == 0 ? 0 : (u(t + d) - 2 * u(t) + u(t - d)) / d / d; })};
       RecordingSink sink;
       double top = 0, base = 0, input = 0;
       sink.on_frame = [&](const Model& m, double time) {
@@ -82,8 +83,8 @@ TEST(ShakenBase, AColumnOnARigidBaseAmplifiesByItsTransferFunction) {
         input = std::max(input, std::abs(base_displacement(m.shaking, time)[0]));
       };
       ASSERT_FALSE(run(model, solver(end, {0, 0, 0}), output(period / 200, period / 50), sink, 1).failed);
-      validate_near(name + "amplitude of the surface / of the base x |cos(k H)|", 1, top / input * std::abs(std::cos(kH)),
-                    0.01, "undamped; soft start over 12 periods, 40 cells");
+      validate_near(name + "amplitude of the surface / of the base x |cos(k H)|", 1,
+                    top / input * std::abs(std::cos(kH)), 0.01, "undamped; soft start over 12 periods, 40 cells");
       validate_near(name + "error of the base's displacement / its amplitude", 0, base / amplitude, 2e-4,
                     "double integral of the record, sampled at 0.002 s");
       double external = 0, drift = 0;
@@ -91,14 +92,15 @@ TEST(ShakenBase, AColumnOnARigidBaseAmplifiesByItsTransferFunction) {
         external = std::max(external, s.kinetic + s.strain);
         drift = std::max(drift, std::abs(s.total));
       }
-      validate_near(name + "balance of energy / largest energy", 0, drift / external, 0.01, "O(dt) ripple of the scheme");
+      validate_near(name + "balance of energy / largest energy", 0, drift / external, 0.01,
+                    "O(dt) ripple of the scheme");
     }
 }
 
 TEST(ShakenBase, ACompliantBaseDoublesTheWaveAndLetsItOut) {
   for (Formulation formulation : {Formulation::total_lagrangian, Formulation::updated_lagrangian}) {
-    const std::string name = std::string(formulation == Formulation::total_lagrangian ? "TL" : "UL") +
-                             " column on a compliant base: ";
+    const std::string name =
+        std::string(formulation == Formulation::total_lagrangian ? "TL" : "UL") + " column on a compliant base: ";
     Model model = shear_column(FaceCondition::absorbing, formulation);
     const double v0 = 1e-3, length = 0.2, start = 0.02;  // s: 40 cells per pulse
     const auto wave = [&](double t) {
@@ -142,8 +144,8 @@ TEST(ShakenBase, ACompliantBaseDoublesTheWaveAndLetsItOut) {
 /// A known trap: boundary velocities that are set in one of MUSL's two maps only grow over a long record.
 TEST(ShakenBase, TwentySecondsOfAnEarthquakeStayStable) {
   for (Formulation formulation : {Formulation::total_lagrangian, Formulation::updated_lagrangian}) {
-    const std::string name = std::string(formulation == Formulation::total_lagrangian ? "TL" : "UL") +
-                             " column, 20 s of a record: ";
+    const std::string name =
+        std::string(formulation == Formulation::total_lagrangian ? "TL" : "UL") + " column, 20 s of a record: ";
     Model model = shear_column(FaceCondition::fixed, formulation);
     model.shaking = {motion(20, 0.01, [](double t) {
       const double envelope = std::exp(-std::pow((t - 7) / 3, 2));

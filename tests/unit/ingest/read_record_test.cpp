@@ -33,7 +33,8 @@ class Record : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-const std::string kHead = "SOME DATABASE RECORD\nA quake, 1/1/2001, A station, 90\nACCELERATION TIME SERIES IN UNITS OF G\n";
+const std::string kHead =
+    "SOME DATABASE RECORD\nA quake, 1/1/2001, A station, 90\nACCELERATION TIME SERIES IN UNITS OF G\n";
 
 TEST_F(Record, PeerFilesHaveBothKindsOfHeader) {
   for (const char* counts : {"NPTS=     6, DT=   .0050 SEC\n", "    6    0.0050    NPTS, DT\n"}) {

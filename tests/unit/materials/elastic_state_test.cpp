@@ -20,8 +20,8 @@ TEST(ElasticState, SolidsBearTheStressThatWasAskedFor) {
         if (!state) continue;
         ++found;
         PointHistory history = state->history;
-        const Sym6 s = std::visit(
-            [&](const auto& l) { return l.stress(make_motion(state->F, state->F), history); }, law);
+        const Sym6 s =
+            std::visit([&](const auto& l) { return l.stress(make_motion(state->F, state->F), history); }, law);
         for (int i = 0; i < 3; ++i) EXPECT_NEAR(s[i], stress[i], 1e-9 * (1 + std::abs(stress[1]))) << m.name;
         for (int i = 3; i < 6; ++i) EXPECT_EQ(s[i], 0) << m.name;
         EXPECT_EQ(history.equivalent_plastic_strain, 0) << m.name;

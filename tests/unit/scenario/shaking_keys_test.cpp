@@ -38,11 +38,12 @@ TEST_F(ShakingKeys, WrongOnesAreRefused) {
   EXPECT_NE(error_of(kDisks + kShaking + "face = \"y_min\"\n").find("compliant"), std::string::npos);
   EXPECT_NE(error_of(kDisks + kShaking + "baseline = \"cubic\"\n").find("quadratic"), std::string::npos);
   EXPECT_NE(error_of(kDisks + "[[shaking]]\nfile = \"none.csv\"\n").find("none.csv"), std::string::npos);
-  EXPECT_EQ(error_of(kDisks + "[domain.boundary]\ny_min = \"absorbing\"\n" + kShaking + "base = \"compliant\"\n"), "no error");
-  EXPECT_NE(error_of(kDisks + "[domain.boundary]\ny_min = \"absorbing\"\n" + kShaking + "base = \"compliant\"\n" +
-                     kShaking)
-                .find("do not mix"),
-            std::string::npos);
+  EXPECT_EQ(error_of(kDisks + "[domain.boundary]\ny_min = \"absorbing\"\n" + kShaking + "base = \"compliant\"\n"),
+            "no error");
+  EXPECT_NE(
+      error_of(kDisks + "[domain.boundary]\ny_min = \"absorbing\"\n" + kShaking + "base = \"compliant\"\n" + kShaking)
+          .find("do not mix"),
+      std::string::npos);
 }
 
 using WaterKeys = test::ScenarioFolder;
