@@ -95,6 +95,14 @@ void Formulations::write_particles() {
   if (total_) total_->write_particles();
 }
 
+double Formulations::kinetic_energy() {
+  if (total_) total_->write_motion();
+  const Particles& particles = model_.particles;
+  return sum_over_nodes(particles.size(), threads_, [&](std::size_t p) {
+    return 0.5 * particles.mass[p] * dot(particles.velocity[p], particles.velocity[p]);
+  });
+}
+
 HistorySample Formulations::measure(Diagnostics& diagnostics) {
   HistorySample sample;
   if (total_ && !updated_ && total_->all_nodal()) {

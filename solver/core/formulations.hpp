@@ -34,6 +34,8 @@ class Formulations {
 
   /// Brings the model's particles to the state as it stands: steps leave them behind.
   void write_particles();
+  /// Kinetic energy of the state as it stands, J. Brings the particles' positions and velocities up to date.
+  double kinetic_energy();
   /// Energies and momenta of the state as it stands; time, step and dt are the caller's.
   HistorySample measure(Diagnostics& diagnostics);
   /// Per total-Lagrangian body: empty for the nodal form, else why the body is not in it.

@@ -12,12 +12,6 @@ namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
-double kinetic_energy(const Particles& particles, int threads) {
-  return sum_over_nodes(particles.size(), threads, [&](std::size_t p) {
-    return 0.5 * particles.mass[p] * dot(particles.velocity[p], particles.velocity[p]);
-  });
-}
-
 /// How long the motion must have died down to count as rest: what a wave takes across the domain's longest side. A
 /// turning point, where all of it swings back at once, is much shorter.
 double quiet_time(const Domain& domain, double stable_step, double courant) {
@@ -39,10 +33,6 @@ struct Quiet {
   }
 };
 
-}  // namespace
-
-namespace {
-
 /// A K0 start needs the loads under absorbing faces, which bear nothing by themselves: one step at rest finds them.
 void find_supports(Formulations& method, const Model& model) {
   if (!has_absorbing_face(model.domain)) return;
@@ -53,7 +43,7 @@ void find_supports(Formulations& method, const Model& model) {
 
 }  // namespace
 
-std::optional<Failure> relax(Formulations& method, const Model& model, const SolverOptions& options, int threads) {
+std::optional<Failure> relax(Formulations& method, const Model& model, const SolverOptions& options) {
   if (method.failure()) return std::nullopt;
   if (options.k0 && !options.relax) find_supports(method, model);
   if (!options.relax) return method.failure();
@@ -71,7 +61,7 @@ std::optional<Failure> relax(Formulations& method, const Model& model, const Sol
     method.step(dt);
     if (auto failure = method.failure()) return failure;
     time = dt < stable ? end : time + dt;
-    const double rested = quiet.after(time, kinetic_energy(model.particles, threads));
+    const double rested = quiet.after(time, method.kinetic_energy());
     if (!wanted.time && rested >= quiet_time(model.domain, stable, options.courant)) break;
   }
   method.rest();

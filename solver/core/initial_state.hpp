@@ -14,6 +14,6 @@ namespace scarp {
 /// given is the one that carries its load. Takes no step where `options.relax`
 /// is not set, but one under absorbing faces with `options.k0`.
 /// @return why no state at rest was found, if so; step and time are left out
-std::optional<Failure> relax(Formulations& method, const Model& model, const SolverOptions& options, int threads);
+std::optional<Failure> relax(Formulations& method, const Model& model, const SolverOptions& options);
 
 }  // namespace scarp

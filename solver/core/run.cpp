@@ -130,7 +130,7 @@ RunReport run(Model& model, const SolverOptions& options, const OutputOptions& o
   Formulations& method = run.method;
   report_forms(run, kernels);
   refuse_endless(options.end_time, method.stable_time_step());
-  if (auto failure = relax(method, model, options, threads)) run.fail(*failure);
+  if (auto failure = relax(method, model, options)) run.fail(*failure);
   const double first_stable = method.stable_time_step();
   if (!run.report.failed && !method.failure()) {
     run.record(0);
