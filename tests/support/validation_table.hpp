@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -13,6 +14,7 @@ namespace scarp::test {
 /// Prints a row of the validation table, and writes it to the file that $SCARP_VALIDATION_ROWS names, if any: ctest
 /// sets it, and tests/validation/table.py makes the table of it. The first row of a process begins the file anew.
 inline void print_row(const std::string& row) {
+  ASSERT_EQ(std::count(row.begin(), row.end(), '|'), 6) << "a cell holds a bar: " << row;
   static const char* const path = std::getenv("SCARP_VALIDATION_ROWS");
   static std::FILE* const file = path ? std::fopen(path, "w") : nullptr;
   std::printf("%s\n", row.c_str());

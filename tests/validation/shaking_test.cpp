@@ -83,7 +83,7 @@ TEST(ShakenBase, AColumnOnARigidBaseAmplifiesByItsTransferFunction) {
         input = std::max(input, std::abs(base_displacement(m.shaking, time)[0]));
       };
       ASSERT_FALSE(run(model, solver(end, {0, 0, 0}), output(period / 200, period / 50), sink, 1).failed);
-      validate_near(name + "amplitude of the surface / of the base x |cos(k H)|", 1,
+      validate_near(name + "amplitude of the surface / of the base, times the size of cos(k H)", 1,
                     top / input * std::abs(std::cos(kH)), 0.01, "undamped; soft start over 12 periods, 40 cells");
       validate_near(name + "error of the base's displacement / its amplitude", 0, base / amplitude, 2e-4,
                     "double integral of the record, sampled at 0.002 s");
