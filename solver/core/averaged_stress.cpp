@@ -20,7 +20,13 @@ struct Sweep {
   bool update;
 };
 
-/// Moves F_p with the nodes. sum V0 det F / sum V0 of the cell.
+/// Volume of a particle in the configuration of the grid, m3: V0 before its first move.
+double grid_volume(const Sweep& sweep, std::size_t p) {
+  const Mat3* base = base_of(sweep.body, p);
+  return base ? sweep.particles.reference_volume[p] * determinant(*base) : sweep.particles.reference_volume[p];
+}
+
+/// Moves F_p with the nodes. The cell's mean volume ratio, in which the grid's configuration has 1.
 template <int D>
 double advance_gradients(const Sweep& sweep, std::size_t cell) {
   TotalBody& body = sweep.body;
@@ -31,11 +37,10 @@ double advance_gradients(const Sweep& sweep, std::size_t cell) {
     Mat3& F = body.since[p - body.begin];
     if (sweep.update) {
       LinearCell<D>::monomials(body.grid.xi[p - body.begin], m);
-      F = advanced_gradient<D>(F, v, m, sweep.dt / body.grid.cell);
+      F = advanced_gradient<D>(F, base_of(body, p), v, m, sweep.dt / body.grid.cell);
     }
-    const double V0 = sweep.particles.reference_volume[p];
-    volume += V0;
-    deformed += V0 * determinant(F);
+    volume += grid_volume(sweep, p);
+    deformed += sweep.particles.reference_volume[p] * determinant(F);
   }
   return deformed / volume;
 }
@@ -44,15 +49,17 @@ double advance_gradients(const Sweep& sweep, std::size_t cell) {
 template <int D>
 struct MeanStress {
   typename LinearCell<D>::Values dilatation[D]{};  ///< - sum V0 cof(F) grad0 phi: the force of a unit mean stress
-  double stress = 0;                               ///< sum V0 s_p
-  double volume = 0;                               ///< sum V0
+  double stress = 0;                               ///< sum V s_p, V as of grid_volume
+  double volume = 0;                               ///< sum V
 };
 
 /// Particle p: its law at F-bar, its part of the cell's forces. Whether it is still valid.
 template <int D, class Law>
-bool sweep_particle(const Sweep& sweep, const Law& law, std::size_t p, double J_cell, CellSums<D>& sums,
+bool sweep_particle(const Sweep& sweep, const Law& law, std::size_t p, double mean_ratio, CellSums<D>& sums,
                     MeanStress<D>& mean) {
   Particles& particles = sweep.particles;
+  const Mat3* base = base_of(sweep.body, p);
+  const double V0 = particles.reference_volume[p], V = grid_volume(sweep, p), J_cell = V / V0 * mean_ratio;
   const Mat3& compatible = sweep.body.since[p - sweep.body.begin];
   const Mat3 cof = cofactor(compatible);
   const double J = determinant(compatible, cof);
@@ -70,29 +77,31 @@ bool sweep_particle(const Sweep& sweep, const Law& law, std::size_t p, double J_
     store_history<Law>(particles, p, history);
   }
   // A squeezed point in a cell that is not is as stiff as its own F makes it.
-  const double c2 = std::max(1.0, scale * scale) * law.wave_speed_squared(motion, history);
+  const double c2 = std::max(1.0, scale * scale) * grid_wave_speed_squared(law, motion, history, base);
   if (!std::isfinite(c2 + sigma[0] + sigma[1] + sigma[2] + sigma[3] + sigma[4] + sigma[5])) return false;
   sums.mass += particles.mass[p];
   sums.stiffness += particles.mass[p] * c2;
   typename LinearCell<D>::Values m;
   LinearCell<D>::monomials(sweep.body.grid.xi[p - sweep.body.begin], m);
-  const double V0 = particles.reference_volume[p], factor = -V0 / sweep.body.grid.cell;
+  const double factor = -V0 / sweep.body.grid.cell;
   const double s = mean_stress<D>(sigma);
-  add_force<D>(sums.force, m, first_piola(with_mean_stress<D>(sigma, 0), cof), factor * J_cell / J);
-  add_force<D>(mean.dilatation, m, cof, factor);
-  mean.stress += V0 * s;
-  mean.volume += V0;
+  const Mat3 P = on_moved_grid(first_piola(with_mean_stress<D>(sigma, 0), cof), base);
+  add_force<D>(sums.force, m, P, factor * J_cell / J);
+  add_force<D>(mean.dilatation, m, on_moved_grid(cof, base), factor);
+  mean.stress += V * s;
+  mean.volume += V;
   return true;
 }
 
 template <int D>
 void sweep_cell(const Sweep& sweep, std::size_t cell, CellTask& task) {
-  const double J_cell = advance_gradients<D>(sweep, cell);
+  const double mean_ratio = advance_gradients<D>(sweep, cell);
   CellSums<D> sums;
   MeanStress<D> mean;
   for (std::size_t p = sweep.body.grid.cell_begin[cell]; p < sweep.body.grid.cell_begin[cell + 1]; ++p) {
-    const bool valid = std::visit([&](const auto& law) { return sweep_particle<D>(sweep, law, p, J_cell, sums, mean); },
-                                  sweep.laws[sweep.particles.material[p]]);
+    const bool valid =
+        std::visit([&](const auto& law) { return sweep_particle<D>(sweep, law, p, mean_ratio, sums, mean); },
+                   sweep.laws[sweep.particles.material[p]]);
     if (!valid && sums.bad_particle < 0) sums.bad_particle = static_cast<std::int64_t>(p);
   }
   const double s_cell = mean.volume > 0 ? mean.stress / mean.volume : 0;

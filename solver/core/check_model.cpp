@@ -6,9 +6,11 @@
 #include <cmath>
 #include <string>
 
+#include "solver/core/moving_reference.hpp"
 #include "solver/core/pore_water.hpp"
 #include "solver/core/shaking.hpp"
 #include "solver/core/step_options.hpp"
+#include "solver/core/wave_speeds.hpp"
 #include "solver/materials/law.hpp"
 #include "solver/model/error.hpp"
 
@@ -77,6 +79,21 @@ void check_relaxing(const RelaxOptions& relax) {
   if (!(relax.damping > 0 && relax.damping < 1)) refuse("relax.damping", shortest(relax.damping), "above 0, below 1");
 }
 
+/// A grid that moves with the material finds its nodes anew: what nodes alone remember is lost.
+void check_moving(const Model& model, double courant) {
+  if (!has_formulation(model, Formulation::total_lagrangian))
+    refuse("reference_update", "given", "none: no body is total-Lagrangian");
+  if (courant > kCourantOfMovedGrids)
+    refuse("courant with reference_update", shortest(courant), "at most " + shortest(kCourantOfMovedGrids));
+  if (has_absorbing_face(model.domain))
+    refuse("reference_update with an absorbing face", "given",
+           "none: dashpots belong to the nodes of the first reference configuration");
+  for (const LoadOptions& load : model.loads)
+    if (load.velocity || load.displacement)
+      refuse("reference_update with load '" + load.name + "', which imposes a motion on nodes", "given",
+             "none, or a traction or force: those act on particles");
+}
+
 }  // namespace
 
 void check_model(const Model& model) {
@@ -104,6 +121,8 @@ void check_options(const SolverOptions& options, int dimension) {
   if (!(options.gravity_ramp >= 0) || !std::isfinite(options.gravity_ramp))
     refuse("gravity_ramp", shortest(options.gravity_ramp), "0 s or above");
   if (!(options.damping >= 0 && options.damping < 1)) refuse("damping", shortest(options.damping), "0 to below 1");
+  if (options.reference_update && !(*options.reference_update > 1 && std::isfinite(*options.reference_update)))
+    refuse("reference_update", shortest(*options.reference_update), "above 1");
   if (options.relax) check_relaxing(*options.relax);
   if (options.max_steps < 1) refuse("max_steps", std::to_string(options.max_steps), "at least 1");
 }
@@ -119,6 +138,7 @@ void check_options(const OutputOptions& options) {
 void check_formulations(const Model& model, const SolverOptions& options) {
   check_shaking(model);
   check_water(model, options);
+  if (options.reference_update) check_moving(model, options.courant);
   for (const Body& body : model.bodies) {
     if (body.formulation != Formulation::total_lagrangian) {
       if (!options.body_force.empty() || model.body_force)

@@ -16,7 +16,7 @@ void check_options(const SolverOptions& options, int dimension);
 void check_options(const OutputOptions& options);
 
 /// @throws Error ("solve") where a total-Lagrangian body meets an update order or a shape that only updated-Lagrangian
-///         bodies have.
+///         bodies have, and where reference_update meets what cannot move with the grid.
 void check_formulations(const Model& model, const SolverOptions& options);
 
 bool has_formulation(const Model& model, Formulation formulation);

@@ -86,6 +86,8 @@ RunEstimate estimate(const Model& model, const SolverOptions& options, const Out
     if (body.formulation != Formulation::total_lagrangian) continue;
     if (options.anti_locking == AntiLocking::f_bar)
       result.memory_bytes += static_cast<double>(body.end - body.begin) * sizeof(Mat3);  // TotalBody::since
+    if (options.reference_update)
+      result.memory_bytes += static_cast<double>(body.end - body.begin) * sizeof(Mat3);  // TotalBody::base
     result.memory_bytes += grid_bytes(count_grid(model, body), 1 << body.lattice.dimension());
     fastest = std::max(fastest, fastest_wave_per_cell(model, body));
   }

@@ -61,6 +61,7 @@ std::int64_t Formulations::step(double dt) {
 
 std::int64_t Formulations::bad_particle() const {
   if (total_ && total_->bad_particle() >= 0) return total_->bad_particle();
+  if (total_ && total_->lost_particle() >= 0) return total_->lost_particle();
   if (!updated_) return -1;
   return updated_->bad_particle() >= 0 ? updated_->bad_particle() : updated_->lost_particle();
 }
@@ -120,12 +121,18 @@ std::vector<std::string> Formulations::obstacles() const {
   return total_ ? total_->obstacles() : std::vector<std::string>();
 }
 
+std::vector<std::int64_t> Formulations::reference_updates() const {
+  return total_ ? total_->reference_updates() : std::vector<std::int64_t>();
+}
+
 std::optional<Failure> Formulations::failure() {
   if (bad_particle() >= 0) write_particles();
   if (total_ && total_->bad_particle() >= 0) return describe_bad_particle(model_.particles, total_->bad_particle());
-  if (!updated_) return std::nullopt;
-  if (updated_->bad_particle() >= 0) return describe_bad_particle(model_.particles, updated_->bad_particle());
-  const std::int64_t lost = updated_->lost_particle();
+  std::int64_t lost = total_ ? total_->lost_particle() : -1;
+  if (lost < 0 && updated_) {
+    if (updated_->bad_particle() >= 0) return describe_bad_particle(model_.particles, updated_->bad_particle());
+    lost = updated_->lost_particle();
+  }
   if (lost < 0) return std::nullopt;
   Failure failure;
   failure.what = "a particle has left the grid";

@@ -41,6 +41,9 @@ class Formulations {
   /// Per total-Lagrangian body: empty for the nodal form, else why the body is not in it.
   std::vector<std::string> obstacles() const;
 
+  /// Per total-Lagrangian body: how often its reference configuration has moved.
+  std::vector<std::int64_t> reference_updates() const;
+
   /// What sets the stable time step; a pass over all particles.
   StepLimit step_limit();
 

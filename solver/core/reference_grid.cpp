@@ -22,9 +22,18 @@ struct Place {
   Vec3 xi{0, 0, 0};
 };
 
+/// Where the particles of a grid stand, and how far they are kept from the faces of their cells, in cells.
+struct Places {
+  const std::vector<Vec3>& X;
+  double inset = 0;
+};
+
+Places reference_places(const Model& model) { return {model.particles.reference_position}; }
+Places current_places(const Model& model) { return {model.particles.position, 1e-3}; }
+
 /// A particle on the lattice's upper face belongs to the last cell; 1e-9 cell beyond is taken for rounding.
-Place place_of(const Model& model, const Body& body, std::size_t particle) {
-  const Vec3& X = model.particles.reference_position[particle];
+Place place_of(const Model& model, const Body& body, const Places& places, std::size_t particle) {
+  const Vec3& X = places.X[particle];
   Place place;
   for (int a = 0; a < body.lattice.dimension(); ++a) {
     const double s = (X[a] - body.lattice.origin[a]) / body.lattice.cell;
@@ -35,7 +44,7 @@ Place place_of(const Model& model, const Body& body, std::size_t particle) {
                       "' lies outside the body's lattice",
                   text(X), "within the lattice of " + std::to_string(count) + " cells along " + "xyz"[a]);
     place.cell[a] = std::clamp(static_cast<std::int32_t>(std::floor(s)), 0, count - 1);
-    place.xi[a] = std::clamp(s - place.cell[a], 0.0, 1.0);
+    place.xi[a] = std::clamp(s - place.cell[a], places.inset, 1 - places.inset);
   }
   return place;
 }
@@ -120,28 +129,32 @@ void weigh(ReferenceGrid& grid, const Model& model, const Body& body) {
   }
 }
 
-}  // namespace
-
-void sort_by_cell(Model& model) {
+/// The body's part of `order` by cell, material and id.
+void order_by_cell(std::vector<std::size_t>& order, const Model& model, const Body& body, const Places& places) {
   const Particles& particles = model.particles;
-  std::vector<std::size_t> order(particles.size());
+  check_lattice(body);
+  std::vector<std::int64_t> keys(body.end - body.begin);
+  for (std::size_t p = body.begin; p < body.end; ++p)
+    keys[p - body.begin] = key_of(body.lattice, place_of(model, body, places, p).cell);
+  const auto rank = [&](std::size_t p) {
+    return std::tuple(keys[p - body.begin], particles.material[p], particles.id[p]);
+  };
+  std::sort(order.begin() + static_cast<std::ptrdiff_t>(body.begin),
+            order.begin() + static_cast<std::ptrdiff_t>(body.end),
+            [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+}
+
+std::vector<std::size_t> present_order(const Model& model) {
+  std::vector<std::size_t> order(model.particles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  for (const Body& body : model.bodies) {
-    check_lattice(body);
-    std::vector<std::int64_t> keys(body.end - body.begin);
-    for (std::size_t p = body.begin; p < body.end; ++p)
-      keys[p - body.begin] = key_of(body.lattice, place_of(model, body, p).cell);
-    const auto rank = [&](std::size_t p) {
-      return std::tuple(keys[p - body.begin], particles.material[p], particles.id[p]);
-    };
-    std::sort(order.begin() + static_cast<std::ptrdiff_t>(body.begin),
-              order.begin() + static_cast<std::ptrdiff_t>(body.end),
-              [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
-  }
+  return order;
+}
+
+void put_in_order(Model& model, const std::vector<std::size_t>& order) {
   if (!std::is_sorted(order.begin(), order.end())) permute_particles(model.particles, order);
 }
 
-ReferenceGrid build_reference_grid(const Model& model, const Body& body) {
+ReferenceGrid build_grid(const Model& model, const Body& body, const Places& places) {
   check_lattice(body);
   ReferenceGrid grid;
   grid.dimension = body.lattice.dimension();
@@ -149,7 +162,7 @@ ReferenceGrid build_reference_grid(const Model& model, const Body& body) {
   grid.xi.reserve(body.end - body.begin);
   std::vector<std::int64_t> cell_keys;
   for (std::size_t p = body.begin; p < body.end; ++p) {
-    const Place place = place_of(model, body, p);
+    const Place place = place_of(model, body, places, p);
     grid.xi.push_back(place.xi);
     const std::int64_t key = key_of(body.lattice, place.cell);
     if (!cell_keys.empty() && cell_keys.back() == key) continue;
@@ -163,12 +176,34 @@ ReferenceGrid build_reference_grid(const Model& model, const Body& body) {
   return grid;
 }
 
+}  // namespace
+
+void sort_by_cell(Model& model) {
+  std::vector<std::size_t> order = present_order(model);
+  for (const Body& body : model.bodies) order_by_cell(order, model, body, reference_places(model));
+  put_in_order(model, order);
+}
+
+void sort_by_current_cell(Model& model, const Body& body) {
+  std::vector<std::size_t> order = present_order(model);
+  order_by_cell(order, model, body, current_places(model));
+  put_in_order(model, order);
+}
+
+ReferenceGrid build_reference_grid(const Model& model, const Body& body) {
+  return build_grid(model, body, reference_places(model));
+}
+
+ReferenceGrid build_current_grid(const Model& model, const Body& body) {
+  return build_grid(model, body, current_places(model));
+}
+
 GridCounts count_grid(const Model& model, const Body& body) {
   check_lattice(body);
   std::vector<std::int64_t> keys;
   keys.reserve(body.end - body.begin);
   for (std::size_t p = body.begin; p < body.end; ++p) {
-    const std::int64_t key = key_of(body.lattice, place_of(model, body, p).cell);
+    const std::int64_t key = key_of(body.lattice, place_of(model, body, reference_places(model), p).cell);
     if (keys.empty() || keys.back() != key) keys.push_back(key);
   }
   std::sort(keys.begin(), keys.end());

@@ -13,7 +13,8 @@ namespace scarp {
 using LatticeIndex = std::array<std::int32_t, 3>;
 
 /// A body's grid in its reference configuration: only the cells that hold particles and the nodes of these,
-/// each sorted lexicographically (x fastest). Built once per run; in a total-Lagrangian body it never changes.
+/// each sorted lexicographically (x fastest). In a total-Lagrangian body it does not change, but where its reference
+/// configuration moves (moving_reference.hpp).
 ///
 /// Cells write what they give to their corners into `corner` slots of their own, and nodes add up the slots
 /// of the cells around them in a fixed order: no atomics, and the same bits for any number of threads.
@@ -36,10 +37,17 @@ struct ReferenceGrid {
 /// alone where they already stand so. Their ids keep their identity.
 /// @throws Error ("solve") where a particle lies outside its body's lattice.
 void sort_by_cell(Model& model);
+/// The same of one body, on its lattice as given, for particles where they are now.
+void sort_by_current_cell(Model& model, const Body& body);
 
+/// Of the reference positions.
 /// @throws Error ("solve") where a particle lies outside the lattice, or so close to a corner of its cell that a
 ///         node would get no mass.
 ReferenceGrid build_reference_grid(const Model& model, const Body& body);
+/// Of the positions as they are now, sorted so. Particles are weighed a thousandth of a cell inside their cells at
+/// least, so that each node has mass, wherever they are.
+/// @throws Error ("solve") where a particle lies outside the lattice.
+ReferenceGrid build_current_grid(const Model& model, const Body& body);
 
 /// How many cells and nodes build_reference_grid would keep.
 struct GridCounts {

@@ -119,6 +119,8 @@ void finish(Run& run) {
   run.report.end_time = run.method.time();
   run.report.reference_centre = run.diagnostics.reference_centre();
   run.report.largest_displacement = largest_displacement(run.model.particles);
+  const std::vector<std::int64_t> moves = run.method.reference_updates();
+  for (std::size_t b = 0; b < run.report.forms.size(); ++b) run.report.forms[b].reference_updates = moves[b];
 }
 
 }  // namespace

@@ -6,22 +6,18 @@
 
 #include "solver/core/current_wave_speed.hpp"
 #include "solver/core/history.hpp"
+#include "solver/core/moving_reference.hpp"
 
 namespace scarp {
 namespace {
 
-enum class Configuration { reference, current };
-
-/// c^2 of particle p as it stands, (m/s)^2.
-double wave_speed_squared(const Particles& particles, std::size_t p, const PreparedLaw& prepared, Configuration in) {
-  const Mat3& F = particles.deformation_gradient[p];
-  const Motion motion = make_motion(F, F);
+/// c^2 of particle p as it stands, (m/s)^2, by bound(law, motion, history).
+template <class F>
+double wave_speed_squared(const Particles& particles, std::size_t p, const PreparedLaw& prepared, F&& bound) {
+  const Mat3& gradient = particles.deformation_gradient[p];
+  const Motion motion = make_motion(gradient, gradient);
   return std::visit(
-      [&](const auto& law) {
-        const PointHistory history = load_history<std::decay_t<decltype(law)>>(particles, p);
-        return in == Configuration::reference ? law.wave_speed_squared(motion, history)
-                                              : current_wave_speed_squared(law, motion, history);
-      },
+      [&](const auto& law) { return bound(law, motion, load_history<std::decay_t<decltype(law)>>(particles, p)); },
       prepared);
 }
 
@@ -41,7 +37,10 @@ StepLimit find_step_limit(const Particles& particles, const TotalBody& body) {
     double mass = 0, stiffness = 0, stiffest = -1;
     std::size_t place = body.grid.cell_begin[cell];
     for (std::size_t p = place; p < body.grid.cell_begin[cell + 1]; ++p) {
-      const double c2 = wave_speed_squared(particles, p, body.laws[particles.material[p]], Configuration::reference);
+      const double c2 = wave_speed_squared(particles, p, body.laws[particles.material[p]],
+                                           [&](const auto& law, const Motion& motion, const PointHistory& history) {
+                                             return grid_wave_speed_squared(law, motion, history, base_of(body, p));
+                                           });
       mass += particles.mass[p];
       stiffness += particles.mass[p] * c2;
       if (!(c2 > stiffest)) continue;
@@ -61,7 +60,10 @@ StepLimit find_step_limit(const Particles& particles, const UpdatedGrid& grid, c
   double most = -1, fastest = -1;
   std::size_t stiffest_at = 0, fastest_at = 0;
   for (const std::uint32_t p : grid.particles) {
-    const double c2 = wave_speed_squared(particles, p, laws[particles.material[p]], Configuration::current);
+    const double c2 = wave_speed_squared(particles, p, laws[particles.material[p]],
+                                         [](const auto& law, const Motion& motion, const PointHistory& history) {
+                                           return current_wave_speed_squared(law, motion, history);
+                                         });
     const double speed = norm(particles.velocity[p]);
     if (c2 > most) {
       most = c2;

@@ -9,6 +9,7 @@
 #include "solver/core/body_force.hpp"
 #include "solver/core/check_model.hpp"
 #include "solver/core/diagnostics.hpp"
+#include "solver/core/moving_reference.hpp"
 #include "solver/core/shaking.hpp"
 #include "solver/core/step_limit.hpp"
 #include "solver/core/stress.hpp"
@@ -38,7 +39,8 @@ TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int
     : body_force(model.body_force),
       model_(model),
       options_(options, model.domain.dimension, model.shaking),
-      threads_(std::max(1, threads)) {
+      threads_(std::max(1, threads)),
+      reference_update_(options.reference_update) {
   check_model(model);
   check_options(options, model.domain.dimension);
   sort_by_cell(model);
@@ -51,14 +53,19 @@ TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int
     if (options.anti_locking == AntiLocking::f_bar) average_volumes(body, model.particles);
   }
   choose_back_ends(options, kernels);
+  reference_updates_.assign(bodies_.size(), 0);
   map_state();
 }
 
 void TotalLagrangian::choose_back_ends(const SolverOptions& options, const kernels::Kernels& kernels) {
   for (TotalBody& body : bodies_) {
-    const std::optional<std::string> obstacle = options.back_end == BackEnd::particle_state
-                                                    ? std::optional<std::string>("asked for")
-                                                    : NodalBody::obstacle(model_, body);
+    std::optional<std::string> obstacle;
+    if (options.back_end == BackEnd::particle_state)
+      obstacle = "asked for";
+    else if (reference_update_)
+      obstacle = "its reference configuration moves";
+    else
+      obstacle = NodalBody::obstacle(model_, body);
     obstacles_.push_back(obstacle.value_or(""));
     nodal_.push_back(obstacle ? nullptr : std::make_unique<NodalBody>(model_, body, kernels));
   }
@@ -76,9 +83,27 @@ void TotalLagrangian::map_state() {
       collect(nodal_[b]->outcome(), body.grid.cell, fastest_, bad_particle_);
       continue;
     }
-    map_momentum(model_.particles, body, threads_);                                                             // (1)
-    find_node_velocities(body, threads_);                                                                       // (2)
-    collect(map_stress(model_.particles, body, body.laws, threads_), body.grid.cell, fastest_, bad_particle_);  // (1)
+    collect(map_body(body), body.grid.cell, fastest_, bad_particle_);
+  }
+}
+
+StressOutcome TotalLagrangian::map_body(TotalBody& body) {
+  map_momentum(model_.particles, body, threads_);                  // (1)
+  find_node_velocities(body, threads_);                            // (2)
+  return map_stress(model_.particles, body, body.laws, threads_);  // (1)
+}
+
+/// What a step has stretched too far. fastest_ becomes the larger of the values before and after.
+void TotalLagrangian::move_references() {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    TotalBody& body = bodies_[b];
+    if (!is_past_limit(model_.particles, body, *reference_update_, threads_)) continue;
+    if (const auto lost = move_reference(model_, body)) {
+      lost_particle_ = static_cast<std::int64_t>(*lost);
+      return;
+    }
+    ++reference_updates_[b];
+    collect(map_body(body), body.grid.cell, fastest_, bad_particle_);
   }
 }
 
@@ -166,6 +191,7 @@ std::int64_t TotalLagrangian::step(double dt) {
     collect(nodal_[b] ? step_nodal(*nodal_[b], gravity, dt, look) : step_particles(bodies_[b], gravity, dt),
             bodies_[b].grid.cell, fastest_, bad_particle_);
   if (!look) fastest_ = last_fastest;
+  if (look && reference_update_ && !relaxing_ && bad_particle_ < 0) move_references();
   particles_current_ = false;
   time_ += dt;
   return bad_particle_;

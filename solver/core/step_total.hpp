@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ namespace scarp {
 /// Zhou, Schreyer 1995), linear shape functions. 3D and plane strain.
 ///
 /// Bodies are in nodal form where they can be (NodalBody); the others' particles carry their state from step to step.
+/// With SolverOptions::reference_update all do, and steps may sort them anew (moving_reference.hpp).
 class TotalLagrangian {
  public:
   /// Sorts the model's particles by cell, maps their momenta and stresses. `model` must outlive this object.
@@ -28,8 +30,9 @@ class TotalLagrangian {
 
   /// Largest stable step, s: courant * min over bodies of cell / c, with c of the stiffest cell as it is now
   /// (method.md 1.2). The lumped second map of MUSL slows the shortest waves: elastic blocks with 1, 2, 3 points per
-  /// axis, 2D and 3D, are stable to courant 1.4 and none beyond 1.8. The cells are looked at every fourth step: in
-  /// between a wave crosses two cells at most, and strains change by little. 0 where the state is not finite.
+  /// axis, 2D and 3D, are stable to courant 1.4 and none beyond 1.8; see kCourantOfMovedGrids. The cells are looked at
+  /// every fourth step: in between a wave crosses two cells at most, and strains change by little. 0 where the state is
+  /// not finite.
   double stable_time_step() const;
 
   /// What sets it.
@@ -51,6 +54,10 @@ class TotalLagrangian {
 
   /// The first invalid particle of the state as it stands, or -1.
   std::int64_t bad_particle() const { return bad_particle_; }
+  /// A particle out of reach of any grid when its body's reference configuration was to move, or -1.
+  std::int64_t lost_particle() const { return lost_particle_; }
+  /// Per body, in the order of the model: how often that configuration has moved.
+  const std::vector<std::int64_t>& reference_updates() const { return reference_updates_; }
   double time() const { return time_; }
   void set_time(double time) { time_ = time; }
   const std::vector<PreparedLaw>& laws() const { return laws_; }
@@ -77,6 +84,8 @@ class TotalLagrangian {
   StepOptions options_;
   void choose_back_ends(const SolverOptions& options, const kernels::Kernels& kernels);
   void map_state();
+  StressOutcome map_body(TotalBody& body);
+  void move_references();
   StressOutcome step_nodal(NodalBody& body, const Vec3& gravity, double dt, bool find_speed);
   StressOutcome step_particles(TotalBody& body, const Vec3& gravity, double dt);
   void find_accelerations();
@@ -90,7 +99,9 @@ class TotalLagrangian {
   double fastest_ = 0;              ///< max over bodies of c / cell, 1/s
   int since_look_ = 0;              ///< steps since it was found
   bool particles_current_ = false;  ///< whether write_particles has nothing to do
-  std::int64_t bad_particle_ = -1;
+  std::int64_t bad_particle_ = -1, lost_particle_ = -1;
+  std::optional<double> reference_update_;
+  std::vector<std::int64_t> reference_updates_;
 };
 
 }  // namespace scarp

@@ -32,7 +32,8 @@ inline void sweep_particles(const Sweep& sweep, const Law& law, std::size_t begi
   for (std::size_t p = begin; p < end; ++p) {
     LinearCell<D>::monomials(sweep.body.grid.xi[p - sweep.body.begin], m);
     Mat3& F = particles.deformation_gradient[p];
-    const Mat3 next = mode == Mode::update ? advanced_gradient<D>(F, v, m, sweep.dt * per_cell) : F;
+    const Mat3* base = base_of(sweep.body, p);
+    const Mat3 next = mode == Mode::update ? advanced_gradient<D>(F, base, v, m, sweep.dt * per_cell) : F;
     const Motion motion = make_motion(F, next, per_dt);
     F = motion.F;
     bool valid = motion.J > 0 && motion.J < 1e100;
@@ -43,11 +44,12 @@ inline void sweep_particles(const Sweep& sweep, const Law& law, std::size_t begi
         sigma = law.stress(motion, history);
         store_history<Law>(particles, p, history);
       }
-      const double c2 = law.wave_speed_squared(motion, history);
+      const double c2 = grid_wave_speed_squared(law, motion, history, base);
       valid = std::isfinite(c2 + sigma[0] + sigma[1] + sigma[2] + sigma[3] + sigma[4] + sigma[5]);
       sums.mass += particles.mass[p];
       sums.stiffness += particles.mass[p] * c2;
-      add_force<D>(sums.force, m, first_piola(sigma, motion.cofactor), -particles.reference_volume[p] * per_cell);
+      const Mat3 P = on_moved_grid(first_piola(sigma, motion.cofactor), base);
+      add_force<D>(sums.force, m, P, -particles.reference_volume[p] * per_cell);
     }
     if (!valid && sums.bad_particle < 0) sums.bad_particle = static_cast<std::int64_t>(p);
   }

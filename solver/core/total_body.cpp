@@ -41,10 +41,14 @@ std::vector<Vec3> positions_of(const ReferenceGrid& grid, const Lattice& lattice
 }  // namespace
 
 TotalBody make_total_body(const Model& model, const Body& body) {
+  return make_total_body(model, body, build_reference_grid(model, body));
+}
+
+TotalBody make_total_body(const Model& model, const Body& body, ReferenceGrid grid) {
   TotalBody total;
   total.begin = body.begin;
   total.end = body.end;
-  total.grid = build_reference_grid(model, body);
+  total.grid = std::move(grid);
   for (const NamedMaterial& material : model.materials) total.laws.push_back(prepare(material.law, body.lattice.cell));
   total.tasks = cut_into_tasks(model.particles, total.grid);
   total.held = held_axes(model.domain, body, total.grid);

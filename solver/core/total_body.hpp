@@ -21,7 +21,8 @@ struct CellTask {
   std::int64_t bad_particle = -1;         ///< index of the first whose state is no longer valid, or -1
 };
 
-/// The state that a total-Lagrangian body has beside its particles. Everything is allocated before the first step.
+/// The state that a total-Lagrangian body has beside its particles. Everything is allocated before the first
+/// step, and anew where the reference configuration moves.
 struct TotalBody {
   std::size_t begin = 0;  ///< range in Model::particles
   std::size_t end = 0;
@@ -38,9 +39,12 @@ struct TotalBody {
   std::vector<Vec3> slots;             ///< per cell and corner: momentum, then force
   std::vector<Vec3> water_slots;       ///< per cell and corner; empty without water
   std::vector<Mat3> since;             ///< per particle F as the nodes move it, with average_volumes; else empty
+  std::vector<Mat3> base;              ///< per particle F0, see moving_reference.hpp; empty before the first move
 };
 
 /// @param model  with particles sorted by cell
 TotalBody make_total_body(const Model& model, const Body& body);
+/// On a grid of one's own.
+TotalBody make_total_body(const Model& model, const Body& body, ReferenceGrid grid);
 
 }  // namespace scarp

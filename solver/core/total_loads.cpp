@@ -36,6 +36,17 @@ std::vector<Vec3> map_forces(const TotalBody& body, const ParticleForces& load) 
   return nodes;
 }
 
+/// Whether any node is in the region of what a load imposes, per load.
+std::vector<bool> set_loads(TotalBody& body, const Model& model, const std::vector<ParticleForces>& forces) {
+  NodeLoads& loads = body.conditions.loads;
+  std::vector<bool> found = loads.impose(model, body.node_positions, model.particles.body[body.begin], body.held);
+  body.held_now = body.held;
+  for (const ParticleForces& load : forces)
+    loads.add_forces(load.table, body.grid.dimension == 2 ? map_forces<2>(body, load) : map_forces<3>(body, load),
+                     body.held);
+  return found;
+}
+
 template <int D>
 void add_water(const Particles& particles, TotalBody& body, const WaterTable& water, double ramp, std::size_t cell) {
   using Cell = LinearCell<D>;
@@ -74,19 +85,17 @@ void set_loads(std::vector<TotalBody>& bodies, const Model& model) {
   const std::vector<ParticleForces> forces = find_particle_forces(model);
   std::vector<bool> found(model.loads.size(), has_formulation(model, Formulation::updated_lagrangian));
   for (TotalBody& body : bodies) {
-    NodeLoads& loads = body.conditions.loads;
-    const std::vector<bool> here =
-        loads.impose(model, body.node_positions, model.particles.body[body.begin], body.held);
+    const std::vector<bool> here = set_loads(body, model, forces);
     for (std::size_t l = 0; l < found.size(); ++l) found[l] = found[l] || here[l];
-    body.held_now = body.held;
-    for (const ParticleForces& load : forces)
-      loads.add_forces(load.table, body.grid.dimension == 2 ? map_forces<2>(body, load) : map_forces<3>(body, load),
-                       body.held);
   }
   for (std::size_t l = 0; l < found.size(); ++l)
     if ((model.loads[l].velocity || model.loads[l].displacement) && !found[l])
       throw Error("solve", "load '" + model.loads[l].name + "': its motion is imposed on no node", "",
                   "a region with nodes of a body, which are a cell apart");
+}
+
+void set_loads(TotalBody& body, const Model& model) {
+  if (!model.loads.empty()) set_loads(body, model, find_particle_forces(model));
 }
 
 }  // namespace scarp

@@ -9,6 +9,7 @@
 
 #include "solver/core/history.hpp"
 #include "solver/core/linear_cell.hpp"
+#include "solver/core/moving_reference.hpp"
 #include "solver/core/stress.hpp"
 #include "solver/materials/tensor.hpp"
 #include "solver/model/parallel.hpp"
@@ -27,6 +28,16 @@ Mat3 advanced_gradient(const Mat3& F, const typename LinearCell<D>::Values (&v)[
     if constexpr (D == 3) next[3 * i + 2] += factor * LinearCell<D>::template derivative<2>(v[i], m);
   }
   return next;
+}
+
+/// The same on a grid that has moved, where grad0 phi = F0^T grad phi; `base` = F0, or none.
+template <int D>
+Mat3 advanced_gradient(const Mat3& F, const Mat3* base, const typename LinearCell<D>::Values (&v)[D],
+                       const typename LinearCell<D>::Values& m, double factor) {
+  if (!base) return advanced_gradient<D>(F, v, m, factor);
+  Mat3 change = multiply(advanced_gradient<D>(Mat3{}, v, m, factor), *base);
+  for (int i = 0; i < 9; ++i) change[i] += F[i];
+  return change;
 }
 
 /// (1) Adds - V0 P grad0 phi_Ip; `factor` = - V0 / cell.

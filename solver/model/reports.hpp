@@ -92,7 +92,8 @@ struct Failure {
 /// In which form a total-Lagrangian body was stepped.
 struct BodyForm {
   std::string body;
-  std::string obstacle;  ///< empty: nodal; else why its particles carried the state
+  std::string obstacle;                ///< empty: nodal; else why its particles carried the state
+  std::int64_t reference_updates = 0;  ///< how often its reference configuration has moved
 };
 
 struct RunReport {

@@ -52,6 +52,7 @@ struct SolverOptions {
   ShapeFunction shape = ShapeFunction::linear;
   AntiLocking anti_locking = AntiLocking::none;
   BackEnd back_end = BackEnd::nodal;
+  std::optional<double> reference_update;
   double flip = 1.0;
   double pic_rate = 0;
   std::optional<Vec3> gravity;
@@ -80,6 +81,14 @@ struct SolverOptions {
                "form in which total-Lagrangian bodies are stepped: \"nodal\", with accumulators on the nodes, several "
                "times faster, where the body's laws and options allow it; \"particle-state\" throughout. Results "
                "differ by rounding"});
+    v("reference_update", reference_update,
+      Spec{
+          .text =
+              "total-Lagrangian bodies take their current configuration as the reference one, and their grid anew from "
+              "it, as soon as the ratio of the largest to the smallest principal stretch since the last time exceeds "
+              "this in one of their particles (2.6 is a shear of 1), so that they may flow and part; with courant at "
+              "most 0.5; default: never",
+          .above = 1});
     v("flip", flip, Spec{.text = "FLIP share of the velocity update; the rest is PIC", .at_least = 0, .at_most = 1});
     v("pic_rate", pic_rate,
       Spec{.text =

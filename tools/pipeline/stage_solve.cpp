@@ -66,6 +66,7 @@ Json forms_json(const RunReport& report) {
   for (const BodyForm& form : report.forms) {
     Json entry{{"body", form.body}, {"form", form.obstacle.empty() ? "nodal" : "particle-state"}};
     if (!form.obstacle.empty()) entry["because"] = form.obstacle;
+    entry["reference_updates"] = form.reference_updates;
     forms.push_back(std::move(entry));
   }
   return forms;
