@@ -94,6 +94,21 @@ void check_moving(const Model& model, double courant) {
              "none, or a traction or force: those act on particles");
 }
 
+void check_transfer(const SolverOptions& options) {
+  if (options.transfer != Transfer::flip) {
+    if (options.flip != 1) refuse("flip", shortest(options.flip), "only with transfer = \"flip\"");
+    if (options.pic_rate != 0) refuse("pic_rate", shortest(options.pic_rate), "only with transfer = \"flip\"");
+  }
+  if (options.transfer == Transfer::apic && options.reference_update)
+    refuse("reference_update with transfer = \"apic\"", shortest(*options.reference_update),
+           "none: affine velocities belong to one reference configuration; or transfer = \"xpic\"");
+  if (!options.xpic_order) return;
+  if (options.transfer != Transfer::xpic)
+    refuse("xpic_order", std::to_string(*options.xpic_order), "only with transfer = \"xpic\"");
+  if (*options.xpic_order < 2 || *options.xpic_order > 5)
+    refuse("xpic_order", std::to_string(*options.xpic_order), "2 to 5");
+}
+
 }  // namespace
 
 void check_model(const Model& model) {
@@ -116,6 +131,7 @@ void check_options(const SolverOptions& options, int dimension) {
   if (!(options.flip >= 0 && options.flip <= 1)) refuse("flip", shortest(options.flip), "0 to 1");
   if (!(options.pic_rate >= 0) || !std::isfinite(options.pic_rate))
     refuse("pic_rate", shortest(options.pic_rate), "0 1/s or above");
+  check_transfer(options);
   if (!(options.end_time > 0) || !std::isfinite(options.end_time))
     refuse("end_time", shortest(options.end_time), "above 0 s");
   if (!(options.gravity_ramp >= 0) || !std::isfinite(options.gravity_ramp))

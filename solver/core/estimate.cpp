@@ -88,12 +88,15 @@ RunEstimate estimate(const Model& model, const SolverOptions& options, const Out
       result.memory_bytes += static_cast<double>(body.end - body.begin) * sizeof(Mat3);  // TotalBody::since
     if (options.reference_update)
       result.memory_bytes += static_cast<double>(body.end - body.begin) * sizeof(Mat3);  // TotalBody::base
+    if (options.transfer == Transfer::apic)
+      result.memory_bytes += static_cast<double>(body.end - body.begin) * sizeof(Mat3);  // TotalBody::affine
     result.memory_bytes += grid_bytes(count_grid(model, body), 1 << body.lattice.dimension());
     fastest = std::max(fastest, fastest_wave_per_cell(model, body));
   }
   if (has_formulation(model, Formulation::updated_lagrangian)) {
     UpdatedGrid grid = make_updated_grid(model, options.shape, 1);
     if (options.anti_locking == AntiLocking::f_bar) average_volumes(grid);
+    if (options.transfer == Transfer::apic) grid.affine.resize(model.particles.size());
     const UpdatedConditions conditions(model, grid, options.damping);  // refuses loads
     result.memory_bytes += memory_bytes(grid);
     fastest = std::max(fastest, fastest_signal_per_cell(model, grid));

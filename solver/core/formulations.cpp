@@ -96,12 +96,19 @@ void Formulations::write_particles() {
   if (total_) total_->write_particles();
 }
 
+AffineMotion Formulations::affine_motion() const {
+  AffineMotion sum;
+  if (total_) sum = sum + total_->affine_motion();
+  if (updated_) sum = sum + updated_->affine_motion();
+  return sum;
+}
+
 double Formulations::kinetic_energy() {
   if (total_) total_->write_motion();
   const Particles& particles = model_.particles;
-  return sum_over_nodes(particles.size(), threads_, [&](std::size_t p) {
-    return 0.5 * particles.mass[p] * dot(particles.velocity[p], particles.velocity[p]);
-  });
+  return affine_motion().kinetic + sum_over_nodes(particles.size(), threads_, [&](std::size_t p) {
+           return 0.5 * particles.mass[p] * dot(particles.velocity[p], particles.velocity[p]);
+         });
 }
 
 HistorySample Formulations::measure(Diagnostics& diagnostics) {
@@ -114,6 +121,10 @@ HistorySample Formulations::measure(Diagnostics& diagnostics) {
     sample = diagnostics.measure(model_, laws(), gravity(), threads_);
   }
   diagnostics.add_motion(sample, model_.particles, threads_);
+  const AffineMotion affine = affine_motion();
+  sample.kinetic += affine.kinetic;
+  sample.total += affine.kinetic;
+  sample.angular_momentum = sample.angular_momentum + affine.angular_momentum;
   return sample;
 }
 

@@ -63,6 +63,8 @@ class Formulations {
   void rest();
 
  private:
+  AffineMotion affine_motion() const;
+
   Model& model_;
   Vec3 gravity_;
   int threads_;

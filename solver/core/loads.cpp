@@ -221,6 +221,11 @@ double NodeLoads::drive(const NodeStep& step) const {
   return work;
 }
 
+void NodeLoads::add_imposed_axes(std::vector<std::uint8_t>& axes) const {
+  for (const Imposed& imposed : imposed_)
+    for (std::uint32_t i : imposed.nodes) axes[i] |= imposed.axes;
+}
+
 void NodeLoads::hold(std::vector<Vec3>& velocity) const {
   if (!begun_) return;
   for (const Imposed& imposed : imposed_)

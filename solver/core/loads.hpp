@@ -71,6 +71,8 @@ class NodeLoads {
   double work_of_push(const NodeStep& step) const;
   /// Sets `after`; the work that it takes, J.
   double drive(const NodeStep& step) const;
+  /// Adds the axes that it imposes, bit 0 for x, to those of the nodes.
+  void add_imposed_axes(std::vector<std::uint8_t>& axes) const;
   /// Sets mapped velocities to what the last step imposed; before the first step does nothing.
   void hold(std::vector<Vec3>& velocity) const;
 

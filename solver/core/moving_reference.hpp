@@ -49,8 +49,7 @@ template <class Law>
 double grid_wave_speed_squared(const Law& law, const Motion& motion, const PointHistory& history, const Mat3* base) {
   if (!base) return law.wave_speed_squared(motion, history);
   const Mat3 since = since_move(motion.F, *base);
-  return current_wave_speed_squared(law, motion, history) *
-         inverse_square_of_least_stretch(make_motion(since, since));
+  return current_wave_speed_squared(law, motion, history) * inverse_square_of_least_stretch(make_motion(since, since));
 }
 
 /// Whether the ratio of the largest to the smallest principal stretch since the last move (in plane strain: in the

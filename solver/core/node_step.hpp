@@ -42,7 +42,7 @@ inline double work_on_node(double mass, const Vec3& before, const Vec3& trial, c
   return 0.5 * mass * dot(after - trial, before + after);
 }
 
-/// `force` without what acts along held axes, bit 0 for x.
+/// A force or a velocity without its part along held axes, bit 0 for x.
 inline Vec3 free_part(Vec3 force, std::uint8_t held) {
   for (int a = 0; a < 3; ++a)
     if (held >> a & 1) force[a] = 0;

@@ -17,6 +17,8 @@ StepOptions::StepOptions(const SolverOptions& options, int dimension, const std:
     : gravity(gravity_of(options, dimension)),
       courant(options.courant),
       damping(options.damping),
+      transfer(options.transfer),
+      xpic_order(static_cast<int>(options.xpic_order.value_or(2))),
       shaking_(shaking),
       flip_(options.flip),
       pic_rate_(options.pic_rate),
@@ -35,5 +37,12 @@ double StepOptions::ramp(double time, double dt) const {
 }
 
 double StepOptions::flip_share(double dt) const { return flip_ * std::exp(-pic_rate_ * dt); }
+
+VelocityUpdate StepOptions::velocity_update(double dt) const {
+  if (transfer == Transfer::apic) return {0, 0};
+  if (transfer == Transfer::xpic) return {0, 1};
+  const double flip = flip_share(dt);
+  return {flip, flip};
+}
 
 }  // namespace scarp

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "solver/core/velocity_update.hpp"
 #include "solver/model/ground_motion.hpp"
 #include "solver/model/solver_options.hpp"
 
@@ -23,6 +24,9 @@ class StepOptions {
   double ramp(double time, double dt) const;
   /// The FLIP share of a step, with what the PIC rate takes in it.
   double flip_share(double dt) const;
+  /// Of transfer = "flip": kept and less are the FLIP share. APIC starts from PIC's velocities; XPIC, flip 1, puts v*_I
+  /// in the place of the particles' own.
+  VelocityUpdate velocity_update(double dt) const;
   /// For a start at rest: nothing shakes until it ends. Then gravity is the steady one.
   void begin_relaxing() { still_ = true; }
   void rest() {
@@ -33,6 +37,8 @@ class StepOptions {
   Vec3 gravity;  ///< the steady one, m/s2
   double courant;
   double damping;
+  Transfer transfer;
+  int xpic_order;
 
  private:
   const std::vector<GroundMotion>& shaking_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/core/apic.hpp"
 #include "solver/core/averaged_stress.hpp"
 #include "solver/core/body_force.hpp"
 #include "solver/core/check_model.hpp"
@@ -15,6 +16,7 @@
 #include "solver/core/stress.hpp"
 #include "solver/core/total_loads.hpp"
 #include "solver/core/transfer.hpp"
+#include "solver/core/xpic.hpp"
 
 namespace scarp {
 namespace {
@@ -64,6 +66,8 @@ void TotalLagrangian::choose_back_ends(const SolverOptions& options, const kerne
       obstacle = "asked for";
     else if (reference_update_)
       obstacle = "its reference configuration moves";
+    else if (options.transfer != Transfer::flip)
+      obstacle = "transfer = \"" + std::string(name_of(options.transfer)) + "\" goes through the particles";
     else
       obstacle = NodalBody::obstacle(model_, body);
     obstacles_.push_back(obstacle.value_or(""));
@@ -88,7 +92,10 @@ void TotalLagrangian::map_state() {
 }
 
 StressOutcome TotalLagrangian::map_body(TotalBody& body) {
-  map_momentum(model_.particles, body, threads_);                  // (1)
+  if (options_.transfer == Transfer::apic)
+    begin_affine(model_.particles, body, threads_);  // (1), (2)
+  else
+    map_momentum(model_.particles, body, threads_);                // (1)
   find_node_velocities(body, threads_);                            // (2)
   return map_stress(model_.particles, body, body.laws, threads_);  // (1)
 }
@@ -126,6 +133,13 @@ bool TotalLagrangian::all_nodal() const {
 HistorySample TotalLagrangian::measure() const {
   HistorySample sum;
   for (const auto& body : nodal_) add(sum, body->measure(options_.gravity, threads_));
+  return sum;
+}
+
+AffineMotion TotalLagrangian::affine_motion() const {
+  AffineMotion sum;
+  for (const TotalBody& body : bodies_)
+    if (!body.affine.empty()) sum = sum + measure_affine(model_.particles, body, threads_);
   return sum;
 }
 
@@ -172,8 +186,14 @@ StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravi
   work_ = work_ +
           act_on_nodes(body.conditions, nodes_of(body, dt, time_), body.held_now, gravity - options_.gravity, threads_);
   if (body_force) work_.external += work_of_body_force(particles, body, accelerations_, dt);
-  advance_particles(particles, body, options_.flip_share(dt), dt, threads_);  // (3), (1)
-  find_node_velocities(body, threads_);                                       // (5), (2)
+  if (options_.transfer == Transfer::xpic) {
+    body.kept = body.held_now;
+    body.conditions.loads.add_imposed_axes(body.kept);
+    filter_velocities(particles, body, options_.xpic_order, threads_);  // (3)
+  }
+  advance_particles(particles, body, options_.velocity_update(dt), dt, threads_);      // (3), (1)
+  if (options_.transfer == Transfer::apic) advance_affine(particles, body, threads_);  // (3), (1)
+  find_node_velocities(body, threads_);                                                // (5), (2)
   body.conditions.loads.hold(body.velocity);
   return update_stress(particles, body, body.laws, dt, threads_);  // (5), (6), (1)
 }

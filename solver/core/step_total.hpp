@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/core/apic.hpp"
 #include "solver/core/nodal_body.hpp"
 #include "solver/core/step_options.hpp"
 #include "solver/core/total_body.hpp"
@@ -49,6 +50,8 @@ class TotalLagrangian {
   /// Energies and momenta where all bodies are in nodal form.
   bool all_nodal() const;
   HistorySample measure() const;
+  /// What the particles' affine velocities add; nothing but with APIC.
+  AffineMotion affine_motion() const;
   /// Per body, in the order of the model: empty for the nodal form, else why the body is not in it.
   const std::vector<std::string>& obstacles() const { return obstacles_; }
 

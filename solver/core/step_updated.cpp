@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/core/apic.hpp"
 #include "solver/core/step_limit.hpp"
 #include "solver/core/updated_stress.hpp"
 #include "solver/core/updated_transfer.hpp"
+#include "solver/core/xpic.hpp"
 
 namespace scarp {
 
@@ -19,6 +21,7 @@ UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options,
       conditions_(model, grid_, options.damping),
       threads_(threads) {
   if (options.anti_locking == AntiLocking::f_bar) average_volumes(grid_);
+  if (options_.transfer == Transfer::apic) begin_affine(model.particles, grid_, threads);
   for (const NamedMaterial& material : model.materials) laws_.push_back(prepare(material.law, grid_.cell));
   find_speeds();
 }
@@ -45,6 +48,10 @@ void UpdatedLagrangian::place() {
   if (lost_particle_ < 0) conditions_.follow(grid_);
 }
 
+AffineMotion UpdatedLagrangian::affine_motion() const {
+  return grid_.affine.empty() ? AffineMotion{} : measure_affine(model_.particles, grid_, threads_);
+}
+
 StepLimit UpdatedLagrangian::step_limit() const {
   StepLimit limit = find_step_limit(model_.particles, grid_, laws_);
   limit.time_step = stable_time_step();
@@ -54,8 +61,10 @@ StepLimit UpdatedLagrangian::step_limit() const {
 void UpdatedLagrangian::step(double dt) {
   Particles& particles = model_.particles;
   const Vec3 gravity = options_.gravity_at(time_, dt);
-  map_to_nodes(particles, grid_, threads_);  // (1)
-  find_node_velocities(grid_, threads_);     // (2)
+  const bool affine = options_.transfer == Transfer::apic;
+  map_to_nodes(particles, grid_, threads_);                    // (1)
+  if (affine) add_affine_momenta(particles, grid_, threads_);  // (1)
+  find_node_velocities(grid_, threads_);                       // (2)
   conditions_.hold(grid_);
   if (order_ == UpdateOrder::usf) {
     take(update_stress(particles, grid_, laws_, dt, threads_));  // (5), (6)
@@ -63,7 +72,12 @@ void UpdatedLagrangian::step(double dt) {
   }
   advance_nodes(grid_, gravity, dt, threads_);  // (2)
   work_ = work_ + conditions_.act(grid_, time_, dt, gravity - options_.gravity, options_.ramp(time_, dt), threads_);
-  particle_speed_ = advance_particles(particles, grid_, options_.flip_share(dt), dt, threads_);  // (3), (5)
+  if (options_.transfer == Transfer::xpic) {
+    conditions_.find_kept_axes(grid_);
+    filter_velocities(particles, grid_, options_.xpic_order, threads_);  // (3)
+  }
+  particle_speed_ = advance_particles(particles, grid_, options_.velocity_update(dt), dt, threads_);  // (3), (5)
+  if (affine) advance_affine(particles, grid_, threads_);                                             // (3), (5)
   if (order_ != UpdateOrder::usf) {
     if (order_ == UpdateOrder::musl)
       find_node_velocities(grid_, threads_);  // (5)
@@ -80,6 +94,7 @@ void UpdatedLagrangian::begin_relaxing(double damping) {
   for (std::uint32_t p : grid_.particles) model_.particles.velocity[p] = {0, 0, 0};
   conditions_.begin_relaxing(damping);
   options_.begin_relaxing();
+  if (!grid_.affine.empty()) begin_affine(model_.particles, grid_, threads_);
   find_speeds();
 }
 
@@ -87,6 +102,7 @@ void UpdatedLagrangian::rest() {
   for (std::uint32_t p : grid_.particles) model_.particles.position[p] = model_.particles.reference_position[p];
   conditions_.rest(grid_);
   place();
+  if (!grid_.affine.empty()) begin_affine(model_.particles, grid_, threads_);
   find_speeds();
   options_.rest();
   work_ = {};

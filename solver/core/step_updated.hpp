@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "solver/core/apic.hpp"
 #include "solver/core/step_options.hpp"
 #include "solver/core/updated_conditions.hpp"
 #include "solver/core/updated_grid.hpp"
@@ -33,6 +34,9 @@ class UpdatedLagrangian {
   void set_time(double time) { time_ = time; }
   /// Of the nodes' conditions since the start or the last rest().
   NodeWork work() const { return work_; }
+
+  /// What the particles' affine velocities add; nothing but with APIC.
+  AffineMotion affine_motion() const;
 
   /// For a start at rest (see relax): velocities are zero, damping is `damping`, absorbing faces and loads hold still.
   void begin_relaxing(double damping);

@@ -38,6 +38,9 @@ struct TotalBody {
   std::vector<Vec3> velocity_updated;  ///< v~_I
   std::vector<Vec3> slots;             ///< per cell and corner: momentum, then force
   std::vector<Vec3> water_slots;       ///< per cell and corner; empty without water
+  std::vector<Mat3> affine;            ///< C_p of apic.hpp, per particle; empty with another transfer
+  std::vector<Vec3> filtered, term;    ///< v*_I of xpic.hpp and the term of it found last; empty likewise
+  std::vector<std::uint8_t> kept;      ///< axes of xpic.hpp's conditions
   std::vector<Mat3> since;             ///< per particle F as the nodes move it, with average_volumes; else empty
   std::vector<Mat3> base;              ///< per particle F0, see moving_reference.hpp; empty before the first move
 };

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/core/total_body.hpp"
+#include "solver/core/velocity_update.hpp"
 
 namespace scarp {
 
@@ -19,9 +20,8 @@ void find_node_velocities(TotalBody& body, int threads);
 /// Gravity needs no map: sum_p phi_Ip m_p g = m_I g.
 void advance_nodes(TotalBody& body, const Vec3& gravity, double dt, int threads);
 
-/// (3) v_p <- flip [v_p + sum phi (v~_I - v_I)] + (1 - flip) sum phi v~_I, x_p <- x_p + dt sum phi v~_I;
-/// and of the new v_p (1), (5): slots <- sum_p phi_Ip m_p v_p. The weights never change, so the second map of
-/// this step is also the first of the next.
-void advance_particles(Particles& particles, TotalBody& body, double flip, double dt, int threads);
+/// (3) v_p after `update`, x_p <- x_p + dt sum phi v~_I whatever the transfer; and of the new v_p (1), (5): slots <-
+/// sum_p phi_Ip m_p v_p. The weights never change, so the second map of this step is also the first of the next.
+void advance_particles(Particles& particles, TotalBody& body, VelocityUpdate update, double dt, int threads);
 
 }  // namespace scarp

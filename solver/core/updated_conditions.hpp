@@ -23,6 +23,11 @@ class UpdatedConditions {
   void follow(UpdatedGrid& grid);
 
   /// Sets mapped velocities to what the last step imposed, to zero where a start at rest holds faces still.
+  /// Axes along which nodes do not move as their mass would have it, after act.
+  void find_kept_axes(UpdatedGrid& grid) const {
+    grid.kept = grid.held_now;
+    conditions_.loads.add_imposed_axes(grid.kept);
+  }
   void hold(UpdatedGrid& grid) const {
     conditions_.faces.hold(grid.velocity);
     conditions_.loads.hold(grid.velocity);

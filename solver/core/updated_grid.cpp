@@ -245,6 +245,7 @@ double memory_bytes(const UpdatedGrid& grid) {
   };
   add(grid.particles, grid.half_edge, grid.held_by_set, grid.cell_of_lattice, grid.node_of_lattice, grid.cell_keys);
   add(grid.key_blocks, grid.cells, grid.cell_begin, grid.members, grid.xi, grid.slots);
+  add(grid.affine, grid.filtered, grid.term, grid.kept);
   add(grid.trial, grid.nodes, grid.held, grid.held_now, grid.mass, grid.velocity, grid.velocity_updated);
   return bytes;
 }

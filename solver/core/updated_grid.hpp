@@ -72,6 +72,10 @@ struct UpdatedGrid {
   std::vector<Vec3> velocity;          ///< v_I, of the momentum mapped last
   std::vector<Vec3> velocity_updated;  ///< v~_I
 
+  std::vector<Mat3> affine;          ///< C_p of apic.hpp, per particle of the model; empty with another transfer
+  std::vector<Vec3> filtered, term;  ///< per node v*_I of xpic.hpp and the term of it found last; empty likewise
+  std::vector<std::uint8_t> kept;    ///< axes of xpic.hpp's conditions
+
   std::vector<double> task_maxima;  ///< of a sweep
 
   bool averages = false;    ///< see average_volumes

@@ -6,13 +6,12 @@
 #include <cmath>
 
 #include "solver/core/f_bar.hpp"
+#include "solver/core/node_step.hpp"
 #include "solver/core/updated_window.hpp"
 #include "solver/materials/tensor.hpp"
 
 namespace scarp {
 namespace {
-
-constexpr std::size_t kNodesPerTask = 1024;
 
 double volume(const Particles& particles, std::size_t p) {
   return determinant(particles.deformation_gradient[p]) * particles.reference_volume[p];
@@ -88,13 +87,14 @@ void map_forces_of_cell(const Particles& particles, UpdatedGrid& grid, std::size
 
 /// The largest |v_p|^2.
 template <int D, class S>
-double advance_cell(Particles& particles, UpdatedGrid& grid, double flip, double dt, std::size_t c) {
+double advance_cell(Particles& particles, UpdatedGrid& grid, VelocityUpdate update, double dt, std::size_t c) {
   constexpr int window = kWindow<D, S>;
   Vec3 updated[window], change[window], momentum[window]{};
   for (int k = 0; k < window; ++k) {
     const std::uint32_t node = window_node<D, S>(grid, c, k);
     updated[k] = grid.velocity_updated[node];
-    change[k] = updated[k] - flip * grid.velocity[node];
+    change[k] = updated[k] - update.less * grid.velocity[node];
+    if (!grid.filtered.empty()) change[k] = change[k] + grid.filtered[node];
   }
   double fastest = 0;
   for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
@@ -108,7 +108,7 @@ double advance_cell(Particles& particles, UpdatedGrid& grid, double flip, double
       }
     });
     Vec3& v = particles.velocity[p];
-    v = flip * v + gain;
+    v = update.kept * v + gain;
     particles.position[p] = particles.position[p] + dt * carried;
     fastest = std::max(fastest, dot(v, v));
     const Vec3 mv = particles.mass[p] * v;
@@ -118,36 +118,6 @@ double advance_cell(Particles& particles, UpdatedGrid& grid, double flip, double
   }
   for (int k = 0; k < window; ++k) grid.slots[c * window + k].momentum = momentum[k];
   return fastest;
-}
-
-/// Sum of the slots of node n.
-template <int D, class S>
-NodeSums gather(const UpdatedGrid& grid, const std::array<std::int32_t, 3>& n) {
-  NodeSums sum;
-  each_slot_of_node<D, S>(grid, n, [&](std::size_t s) {
-    const NodeSums& slot = grid.slots[s];
-    sum.mass += slot.mass;
-    sum.momentum = sum.momentum + slot.momentum;
-    sum.force = sum.force + slot.force;
-  });
-  return sum;
-}
-
-/// f(node, sum of its slots).
-template <class F>
-void for_each_node(UpdatedGrid& grid, int threads, F&& f) {
-  const std::size_t nodes = grid.nodes.size();
-  with_shape(grid, [&]<int D, class S>() {
-    parallel_for((nodes + kNodesPerTask - 1) / kNodesPerTask, threads, [&](std::size_t t) {
-      for (std::size_t i = t * kNodesPerTask; i < std::min(nodes, (t + 1) * kNodesPerTask); ++i)
-        f(i, gather<D, S>(grid, grid.nodes[i]));
-    });
-  });
-}
-
-inline void hold(Vec3& v, std::uint8_t held) {
-  for (int a = 0; a < 3; ++a)
-    if (held >> a & 1) v[a] = 0;
 }
 
 }  // namespace
@@ -166,26 +136,25 @@ void map_forces(const Particles& particles, UpdatedGrid& grid, int threads) {
 }
 
 void find_node_velocities(UpdatedGrid& grid, int threads) {
-  for_each_node(grid, threads, [&](std::size_t i, const NodeSums& sum) {
+  for_each_updated_node(grid, threads, [&](std::size_t i, const NodeSums& sum) {
     grid.mass[i] = sum.mass;
-    grid.velocity[i] = sum.mass > 0 ? (1 / sum.mass) * sum.momentum : Vec3{0, 0, 0};
-    hold(grid.velocity[i], grid.held_now[i]);
+    grid.velocity[i] = sum.mass > 0 ? free_part((1 / sum.mass) * sum.momentum, grid.held_now[i]) : Vec3{0, 0, 0};
   });
 }
 
 void advance_nodes(UpdatedGrid& grid, const Vec3& gravity, double dt, int threads) {
-  for_each_node(grid, threads, [&](std::size_t i, const NodeSums& sum) {
+  for_each_updated_node(grid, threads, [&](std::size_t i, const NodeSums& sum) {
     grid.velocity_updated[i] =
         sum.mass > 0 ? grid.velocity[i] + dt * ((1 / sum.mass) * sum.force + gravity) : Vec3{0, 0, 0};
-    hold(grid.velocity_updated[i], grid.held[i]);
+    grid.velocity_updated[i] = free_part(grid.velocity_updated[i], grid.held[i]);
   });
 }
 
-double advance_particles(Particles& particles, UpdatedGrid& grid, double flip, double dt, int threads) {
+double advance_particles(Particles& particles, UpdatedGrid& grid, VelocityUpdate update, double dt, int threads) {
   grid.task_maxima.assign(updated_tasks(grid), 0);
   with_shape(grid, [&]<int D, class S>() {
     for_each_updated_cell(grid, threads, [&](std::size_t t, std::size_t c) {
-      grid.task_maxima[t] = std::max(grid.task_maxima[t], advance_cell<D, S>(particles, grid, flip, dt, c));
+      grid.task_maxima[t] = std::max(grid.task_maxima[t], advance_cell<D, S>(particles, grid, update, dt, c));
     });
   });
   double fastest = 0;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/core/updated_grid.hpp"
+#include "solver/core/velocity_update.hpp"
 
 namespace scarp {
 
@@ -22,10 +23,10 @@ void find_node_velocities(UpdatedGrid& grid, int threads);
 /// m_I is: times phi_Ip it is bounded, and the particles get all of the momentum.
 void advance_nodes(UpdatedGrid& grid, const Vec3& gravity, double dt, int threads);
 
-/// (3) v_p <- flip [v_p + sum phi (v~_I - v_I)] + (1 - flip) sum phi v~_I, x_p <- x_p + dt sum phi v~_I, and slots'
-/// momenta <- sum phi_Ip m_p v_p of the new v_p, with the weights of the old x_p.
+/// (3) v_p after `update`, x_p <- x_p + dt sum phi v~_I whatever the transfer, and slots' momenta <- sum phi_Ip m_p v_p
+/// of the new v_p, with the weights of the old x_p.
 /// @return the largest |v_p|, m/s
-double advance_particles(Particles& particles, UpdatedGrid& grid, double flip, double dt, int threads);
+double advance_particles(Particles& particles, UpdatedGrid& grid, VelocityUpdate update, double dt, int threads);
 
 /// (5) in the USL order: v_I <- v~_I for the velocity gradient, but at nodes lighter than UpdatedGrid::light_mass,
 /// where f_I / m_I without a weight means nothing.

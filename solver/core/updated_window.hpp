@@ -122,4 +122,31 @@ void for_each_updated_cell(const UpdatedGrid& grid, int threads, F&& f) {
   });
 }
 
+/// Sum of the slots of node n.
+template <int D, class S>
+NodeSums sum_of_slots(const UpdatedGrid& grid, const std::array<std::int32_t, 3>& n) {
+  NodeSums sum;
+  each_slot_of_node<D, S>(grid, n, [&](std::size_t s) {
+    const NodeSums& slot = grid.slots[s];
+    sum.mass += slot.mass;
+    sum.momentum = sum.momentum + slot.momentum;
+    sum.force = sum.force + slot.force;
+  });
+  return sum;
+}
+
+inline constexpr std::size_t kUpdatedNodesPerTask = 1024;
+
+/// f(node, sum of its slots).
+template <class F>
+void for_each_updated_node(UpdatedGrid& grid, int threads, F&& f) {
+  const std::size_t nodes = grid.nodes.size();
+  with_shape(grid, [&]<int D, class S>() {
+    parallel_for((nodes + kUpdatedNodesPerTask - 1) / kUpdatedNodesPerTask, threads, [&](std::size_t t) {
+      for (std::size_t i = t * kUpdatedNodesPerTask; i < std::min(nodes, (t + 1) * kUpdatedNodesPerTask); ++i)
+        f(i, sum_of_slots<D, S>(grid, grid.nodes[i]));
+    });
+  });
+}
+
 }  // namespace scarp

@@ -31,6 +31,14 @@ struct enum_names<ShapeFunction> {
        {"gimp", ShapeFunction::gimp}}};
 };
 
+/// How velocities go from nodes to particles and back: see transfer.hpp, apic.hpp, xpic.hpp.
+enum class Transfer { flip, apic, xpic };
+template <>
+struct enum_names<Transfer> {
+  static constexpr std::array<std::pair<std::string_view, Transfer>, 3> value{
+      {{"flip", Transfer::flip}, {"apic", Transfer::apic}, {"xpic", Transfer::xpic}}};
+};
+
 /// Against volumetric locking, see averaged_stress.hpp.
 enum class AntiLocking { none, f_bar };
 template <>
@@ -53,8 +61,10 @@ struct SolverOptions {
   AntiLocking anti_locking = AntiLocking::none;
   BackEnd back_end = BackEnd::nodal;
   std::optional<double> reference_update;
+  Transfer transfer = Transfer::flip;
   double flip = 1.0;
   double pic_rate = 0;
+  std::optional<std::int64_t> xpic_order;
   std::optional<Vec3> gravity;
   std::vector<std::string> body_force;
   double gravity_ramp = 0;
@@ -89,13 +99,26 @@ struct SolverOptions {
               "this in one of their particles (2.6 is a shear of 1), so that they may flow and part; with courant at "
               "most 0.5; default: never",
           .above = 1});
-    v("flip", flip, Spec{.text = "FLIP share of the velocity update; the rest is PIC", .at_least = 0, .at_most = 1});
+    v("transfer", transfer,
+      Spec{.text = "how velocities go from nodes to particles: \"flip\", changes, blended with PIC by `flip` and "
+                   "`pic_rate`; \"apic\", the velocity and its gradient, which keeps angular momentum; \"xpic\", FLIP "
+                   "without what the nodes cannot see"});
+    v("flip", flip,
+      Spec{.text = "FLIP share of the velocity update; the rest is PIC. With transfer = \"flip\"",
+           .at_least = 0,
+           .at_most = 1});
     v("pic_rate", pic_rate,
       Spec{.text =
                "rate at which FLIP velocities turn into PIC ones, whatever the time step: the FLIP share of a step is "
                "flip exp(-pic_rate dt)",
            .unit = "1/s",
            .at_least = 0});
+    v("xpic_order", xpic_order,
+      Spec{.text =
+               "order of transfer = \"xpic\"; default 2. Higher ones keep shorter waves and cost a map to the nodes "
+               "and back each",
+           .at_least = 2,
+           .at_most = 5});
     v("gravity", gravity, Spec{.text = "acceleration of gravity; default 9.81 downwards", .unit = "m/s2"});
     v("body_force", body_force,
       Spec{.text =

@@ -43,6 +43,7 @@ class Checker {
     for (std::size_t i = 0; i < scenario_.loads.size(); ++i) check_load(i);
     for (std::size_t i = 0; i < scenario_.probes.size(); ++i) check_probe(i);
     check_water();
+    check_transfer();
     check_k0();
     for (std::size_t i = 0; i < scenario_.shaking.size(); ++i) check_shaking(i);
     for (std::size_t i = 0; i < scenario_.render.size(); ++i) check_render(i);
@@ -314,6 +315,21 @@ class Checker {
         fail(steps + "line" + std::to_string(i), "water_table.line: x must rise",
              "above " + shortest(water.line[i - 1][0]));
     check_down(steps);
+  }
+
+  void check_transfer() const {
+    const SolverOptions& solver = scenario_.solver;
+    const auto only_with = [&](const char* key, Transfer transfer) {
+      fail({"solver", key},
+           std::string("solver.") + key + " is for solver.transfer = \"" + std::string(name_of(transfer)) + "\"",
+           "not with \"" + std::string(name_of(solver.transfer)) + "\"");
+    };
+    if (solver.transfer != Transfer::flip && solver.flip != 1) only_with("flip", Transfer::flip);
+    if (solver.transfer != Transfer::flip && solver.pic_rate != 0) only_with("pic_rate", Transfer::flip);
+    if (solver.transfer == Transfer::apic && solver.reference_update)
+      fail({"solver", "reference_update"}, "solver.reference_update does not go with solver.transfer = \"apic\"",
+           "\"flip\", \"xpic\"");
+    if (solver.transfer != Transfer::xpic && solver.xpic_order) only_with("xpic_order", Transfer::xpic);
   }
 
   void check_k0() const {

@@ -52,7 +52,7 @@ struct Moved {
       body.velocity[i] = {0, 0, 0};
       body.velocity_updated[i] = u(body.node_positions[i]);
     }
-    advance_particles(model.particles, body, 1, 1, 1);
+    advance_particles(model.particles, body, {1, 1}, 1, 1);
     for (std::size_t i = 0; i < body.velocity.size(); ++i) body.velocity[i] = u(body.node_positions[i]);
     update_stress(model.particles, body, laws, 1, 1);
   }
@@ -103,7 +103,8 @@ Mat3 rotation(double angle) {
 /// sum of f_I (A x_I) over the nodes: minus the stress power of the uniform velocity gradient A.
 double power(const Moved& state, const std::vector<Vec3>& forces, const Mat3& A, const Mat3& F) {
   double sum = 0;
-  for (std::size_t i = 0; i < forces.size(); ++i) sum += dot(forces[i], times(A, times(F, state.body.node_positions[i])));
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    sum += dot(forces[i], times(A, times(F, state.body.node_positions[i])));
   return sum;
 }
 
@@ -145,7 +146,8 @@ TEST(MovingReference, ForcesAreTheDerivativeOfTheEnergyAfterAMove) {
     for (bool f_bar : {false, true}) {
       const auto uneven = [&](double by) {
         return [=](const Vec3& X) {
-          return by * Vec3{std::sin(7 * X[0] + X[1]), std::cos(5 * X[1]), dimension == 3 ? std::sin(3 * X[2] + X[0]) : 0};
+          return by *
+                 Vec3{std::sin(7 * X[0] + X[1]), std::cos(5 * X[1]), dimension == 3 ? std::sin(3 * X[2] + X[0]) : 0};
         };
       };
       const auto state = [&](double by) {
@@ -221,7 +223,8 @@ TEST(MovingReference, ConservesMomentumAndClosesTheBalance) {
       for (const Material& law : {Material(kRubber), Material(kSoil)}) {
         Model model = free_block(dimension, law, swirl);
         test::RecordingSink sink;
-        const RunReport report = run(model, moving(0.2, {0, 0, 0}, 1.4, anti_locking), test::output(0.1, 0.005), sink, 2);
+        const RunReport report =
+            run(model, moving(0.2, {0, 0, 0}, 1.4, anti_locking), test::output(0.1, 0.005), sink, 2);
         ASSERT_FALSE(report.failed) << report.failure.what;
         EXPECT_GT(report.forms[0].reference_updates, 1);
         EXPECT_EQ(report.forms[0].obstacle, "its reference configuration moves");
@@ -254,7 +257,8 @@ TEST(MovingReference, FollowsAUniformShearThroughManyMoves) {
 TEST(MovingReference, SameBitsForAnyNumberOfThreads) {
   Particles first;
   for (int threads : {1, 2, 3}) {
-    Model model = test::empty_model({0, 0, 0}, {3, 2, 0}, 0.2, {Condition::roller, Condition::roller, Condition::fixed});
+    Model model =
+        test::empty_model({0, 0, 0}, {3, 2, 0}, 0.2, {Condition::roller, Condition::roller, Condition::fixed});
     test::seed_body(model, "soil", MohrCoulomb{{1900, 1e6, 0.3}, 500, 25, 0}, 2,
                     [](const Vec3& X) { return X[1] < 2 - 0.8 * X[0]; });
     LoadOptions load;

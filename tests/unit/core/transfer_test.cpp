@@ -110,7 +110,7 @@ TEST(Transfer, LinearNodeVelocitiesReachTheParticlesExactly) {
     for (std::size_t i = 0; i < body.grid.nodes.size(); ++i) body.velocity_updated[i] = body.velocity[i] = at_node(i);
     Particles& particles = model.particles;
     particles.velocity.assign(particles.size(), Vec3{9, 9, 0});
-    advance_particles(particles, body, 0, 0.5, 1);  // PIC: v_p = sum phi v~_I
+    advance_particles(particles, body, {0, 0}, 0.5, 1);  // PIC: v_p = sum phi v~_I
     for (std::size_t p = 0; p < particles.size(); ++p) {
       const Vec3 v = linear_field(particles.reference_position[p]);
       const Vec3 moved = particles.position[p] - particles.reference_position[p];
