@@ -64,6 +64,15 @@ std::vector<std::uint8_t> flatten(const std::vector<Rgb8>& colours) {
   return values;
 }
 
+/// Current volumes: with them a surface can be laid around the points.
+FrameField volumes(const Model& model) {
+  const Particles& particles = model.particles;
+  std::vector<float> values(particles.size());
+  for (std::size_t p = 0; p < values.size(); ++p)
+    values[p] = static_cast<float>(particles.reference_volume[p] * determinant(particles.deformation_gradient[p]));
+  return {"volume", model.domain.dimension == 2 ? "m3/m" : "m3", 1, std::move(values)};
+}
+
 }  // namespace
 
 Frame make_frame(const Model& model, const std::vector<OutputField>& fields, double time, std::int64_t step,
@@ -78,6 +87,7 @@ Frame make_frame(const Model& model, const std::vector<OutputField>& fields, dou
   frame.fields.push_back({"material", "1", 1, particles.material});
   frame.fields.push_back({"surface", "1", 1, particles.surface});
   frame.fields.push_back({"colour", "1", 3, flatten(particles.colour)});
+  frame.fields.push_back(volumes(model));
   for (OutputField field : fields)
     if (!find_field(frame, std::string(name_of(field))))
       frame.fields.push_back(make_field(model, field, shift, velocity));

@@ -11,10 +11,10 @@
 namespace scarp {
 
 /// The model's particles as a frame: positions in double, and always id (int64), body, material (int32), surface
-/// and colour (uint8; r, g, b). The fields asked for are floats: stress in the order xx, yy, zz, xy, yz, xz (Pa,
-/// tension positive), deformation_gradient row-major, volume_ratio J, density in the current configuration,
-/// pore_pressure positive where there is a water table, whose stresses are effective,
-/// von_mises_stress sqrt(3/2 s:s) with s the deviator. A field asked for twice comes once.
+/// and colour (uint8; r, g, b) and volume (float, current, m3; plane strain: m3/m). The fields asked for are floats:
+/// stress in the order xx, yy, zz, xy, yz, xz (Pa, tension positive), deformation_gradient row-major, volume_ratio J,
+/// density in the current configuration, pore_pressure positive where there is a water table, whose stresses are
+/// effective, von_mises_stress sqrt(3/2 s:s) with s the deviator. A field asked for twice comes once.
 /// @param absolute  positions, displacements and velocities with the motion of a rigidly shaken base, see
 /// Model::shaking
 Frame make_frame(const Model& model, const std::vector<OutputField>& fields, double time, std::int64_t step,

@@ -98,7 +98,8 @@ struct CompareOptions {
            .at_least = 0});
     v("simulated_spacing", simulated_spacing,
       Spec{.text = "distance between material points: what is finer the simulation does not resolve, so that its "
-                   "standard error is at least this / sqrt(12); 0: that of the coarsest body, and of two files none",
+                   "standard error is at least this / sqrt(12); 0: that of the coarsest body, of other files than "
+                   "frames none",
            .unit = "m",
            .at_least = 0});
     v("c2c", c2c, Spec{.text = "what method c2c measures to"});

@@ -8,7 +8,7 @@
 
 namespace scarp {
 
-/// What a frame can carry per particle beside id, body, material, surface and colour, which it always does.
+/// What a frame can carry per particle beside id, body, material, surface, colour and volume, which it always does.
 enum class OutputField {
   displacement,
   velocity,

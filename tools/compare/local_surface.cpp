@@ -99,4 +99,15 @@ double LocalSurface::distance(const Vec3& p) const {
   return size_ * (q[2] - w) / std::sqrt(1 + slope_u * slope_u + slope_v * slope_v);
 }
 
+LocalSurface::Foot LocalSurface::foot(const Vec3& p) const {
+  const Vec3 q = local(p);
+  const Row row = monomials(q[0], q[1]);
+  const auto& c = heights_;
+  double w = 0;
+  for (std::size_t i = 0; i < 6; ++i) w += c[i] * row[i];
+  const double slope_u = c[1] + 2 * c[3] * q[0] + c[4] * q[1], slope_v = c[2] + c[4] * q[0] + 2 * c[5] * q[1];
+  const Vec3 n = normal_ - slope_u * u_ - slope_v * v_;
+  return {p + size_ * (w - q[2]) * normal_, (1 / norm(n)) * n, 2 * (c[3] + c[5]) / size_};
+}
+
 }  // namespace scarp

@@ -24,6 +24,14 @@ class LocalSurface {
   double distance(const Vec3& p) const;
   const Vec3& normal() const { return normal_; }
 
+  /// The surface above or below a point.
+  struct Foot {
+    Vec3 position;     ///< along the plane's normal from the point
+    Vec3 normal;       ///< unit, of the surface there, up as the plane's
+    double curvature;  ///< w_uu + w_vv, 1/m
+  };
+  Foot foot(const Vec3& p) const;
+
  private:
   /// p in the plane's frame, in units of the neighbourhood's size.
   Vec3 local(const Vec3& p) const;

@@ -76,7 +76,9 @@ double bilinear(const Heightfield& source, double x, double y) {
   return sum;
 }
 
-double of_cell(std::vector<double>& heights, CellPolicy policy) {
+}  // namespace
+
+double height_of_cell(std::vector<double>& heights, CellPolicy policy) {
   if (heights.empty()) return kNaN;
   std::sort(heights.begin(), heights.end());
   const std::size_t n = heights.size();
@@ -96,8 +98,6 @@ double of_cell(std::vector<double>& heights, CellPolicy policy) {
   for (double z : heights) sum += z - heights.front();
   return heights.front() + sum / static_cast<double>(n);
 }
-
-}  // namespace
 
 RasterGrid grid_of(const Heightfield& field) { return {field.columns, field.rows, field.cell, field.x0, field.y0}; }
 
@@ -176,7 +176,7 @@ Heightfield grid_points(const std::vector<Vec3>& points, const SiteFrame& site, 
     heights.clear();
     for (; end < in_cell.size() && in_cell[end].first == in_cell[begin].first; ++end)
       heights.push_back(in_cell[end].second);
-    result.z[in_cell[begin].first] = of_cell(heights, policy);
+    result.z[in_cell[begin].first] = height_of_cell(heights, policy);
     if (counts) (*counts)[in_cell[begin].first] = static_cast<std::uint32_t>(heights.size());
   }
   return result;

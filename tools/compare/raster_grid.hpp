@@ -59,6 +59,10 @@ Heightfield resample(const Heightfield& source, const RasterGrid& grid, Resampli
 Heightfield grid_points(const std::vector<Vec3>& points, const SiteFrame& site, const RasterGrid& grid,
                         CellPolicy policy, std::vector<std::uint32_t>* counts);
 
+/// What stands for several heights in a cell: their mean (also for tin), median, lowest or highest; NaN of none. Sorts
+/// them.
+double height_of_cell(std::vector<double>& heights, CellPolicy policy);
+
 /// Gives cells without data the mean of the data within `distance` (m, between centres), weighted by the inverse square
 /// of the distance; returns how many got one. Only what was there before counts as data.
 std::size_t fill_empty(Heightfield& field, double distance);

@@ -82,6 +82,7 @@ SurfaceComparison compare_surfaces(const SurfacePair& pair, const CompareOptions
   SurfaceComparison result;
   ComparisonReport& report = result.comparison.report;
   report = start_report(options);
+  report.warnings = pair.warnings;
   result.dod = dem_of_difference({pair.simulated, pair.observed, pair.sigma_simulated,
                                   pair.stable_mask ? &*pair.stable_mask : nullptr, options.registration_error},
                                  options.dod);
@@ -107,6 +108,7 @@ SurfaceComparison compare_surfaces(const SurfacePair& pair, const CompareOptions
 SurfaceComparison compare_thickness(const SurfacePair& pair, const CompareOptions& options) {
   SurfaceComparison result;
   result.comparison.report = start_report(options);
+  result.comparison.report.warnings = pair.warnings;
   result.comparison.report.groups.push_back(
       {"gridding",
        "How each raster of thickness came onto the cells; cells without data have no thickness.",

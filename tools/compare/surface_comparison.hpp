@@ -23,6 +23,7 @@ struct SurfacePair {
   std::optional<Heightfield> before;    ///< the ground before, on the same cells
   std::optional<Heightfield> stable_mask;
   std::string simulated_gridding, observed_gridding;  ///< in words: how each came onto the cells
+  std::vector<std::string> warnings;                  ///< of how the surfaces were made
 };
 
 struct SurfaceComparison {

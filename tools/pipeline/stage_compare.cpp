@@ -5,7 +5,6 @@
 
 #include "discretize/plane_geometry_cgal.hpp"
 #include "ingest/localize.hpp"
-#include "ingest/read_cloud.hpp"
 #include "ingest/read_mesh.hpp"
 #include "ingest/voxel_thin.hpp"
 #include "ingest/write_las.hpp"
@@ -14,9 +13,9 @@
 #include "solver/model/write_whole.hpp"
 #include "solver/store/frame_store.hpp"
 #include "tools/compare/compare.hpp"
-#include "tools/compare/free_surface.hpp"
 #include "tools/compare/per_point_csv.hpp"
 #include "tools/compare/tolerance.hpp"
+#include "tools/pipeline/compared_cloud.hpp"
 #include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_artefacts.hpp"
@@ -59,20 +58,6 @@ bool by_rasters(const CompareOptions& options) {
   return options.method == CompareMethod::dod || options.method == CompareMethod::footprint;
 }
 
-/// A file in metres, heights included.
-PointCloud read_metric_cloud(const std::filesystem::path& path, HeightUnit height_unit) {
-  PointCloud cloud = read_cloud(path);
-  if (cloud.empty()) throw Error("compare", path.string() + " holds no points", "0 points", "at least 1");
-  require_projected_metres(cloud, path.string());
-  heights_to_metres(cloud, height_unit, path.string());
-  return cloud;
-}
-
-/// A frame's free surface, or a cloud file.
-PointCloud read_either(const std::filesystem::path& path, HeightUnit height_unit) {
-  return path.extension() == ".hdf" ? free_surface(read_frame(path)) : read_metric_cloud(path, height_unit);
-}
-
 /// Where m3c2 measures, if not at all the simulated points.
 std::optional<PointCloud> core_points(const CompareOptions& options, const PointCloud& simulated,
                                       HeightUnit height_unit) {
@@ -91,12 +76,19 @@ TriangleMesh triangulated(const PointCloud& cloud) {
   return {std::move(tin.points), std::move(tin.triangles), cloud.site};
 }
 
-Comparison compare_clouds(PointCloud simulated, const PointCloud& observed, const CompareOptions& options,
+Comparison compare_clouds(ComparedCloud simulated, const ComparedCloud& observed, CompareOptions options,
                           HeightUnit height_unit, int threads) {
+  if (options.simulated_spacing == 0) options.simulated_spacing = simulated.spacing;
+  const ComparedCloud words{{}, simulated.words, simulated.spacing, simulated.warnings};
+  const std::optional<PointCloud> cores = core_points(options, simulated.cloud, height_unit);
+  ComparedSide side;
   if (options.method == CompareMethod::c2m)
-    return compare(std::move(simulated), triangulated(observed), nullptr, options, threads);
-  const std::optional<PointCloud> cores = core_points(options, simulated, height_unit);
-  return compare(std::move(simulated), observed, cores ? &*cores : nullptr, options, threads);
+    side = triangulated(observed.cloud);
+  else
+    side = observed.cloud;
+  Comparison result = compare(std::move(simulated.cloud), side, cores ? &*cores : nullptr, options, threads);
+  add_sides(result.report, words, observed);
+  return result;
 }
 
 /// Heights in the unit of the request; meshes say nothing of theirs, nor of their reference system.
@@ -139,7 +131,8 @@ std::string distance_phrase(const DistanceReport& report) {
 
 ComparisonReport compare_as_clouds(const Project& project, const CompareOptions& options, const Frame& frame,
                                    const SiteFrame& site) {
-  const Comparison result = compare_clouds(free_surface(frame), read_cleaned_scan(project, options.observed, site),
+  const Comparison result = compare_clouds(compared(frame, project.threads),
+                                           {read_cleaned_scan(project, options.observed, site), "scan, cleaned", 0, {}},
                                            options, HeightUnit::metre, project.threads);
   write_comparison(project.artefacts.compared(options.name, ""), result);
   return result.report;
@@ -214,12 +207,17 @@ ComparisonReport compare_files(const DirectComparison& request, int threads, Out
     within_tolerance(report, request.options.tolerance, &outcome.exceeded);
     return report;
   }
-  PointCloud simulated = read_either(request.simulated, request.height_unit);
-  if (request.options.method == CompareMethod::c2m && holds_mesh(request.observed))
-    return finish(compare(std::move(simulated), read_metric_mesh(request), nullptr, request.options, threads), request,
-                  outcome);
-  const PointCloud observed = read_either(request.observed, request.height_unit);
-  require_same_crs({request.simulated.string(), request.observed.string()}, {simulated.site.crs, observed.site.crs});
+  ComparedCloud simulated = read_compared(request.simulated, request.height_unit, threads);
+  if (request.options.method == CompareMethod::c2m && holds_mesh(request.observed)) {
+    const ComparedCloud mesh{{}, "mesh", 0, {}}, words{{}, simulated.words, simulated.spacing, simulated.warnings};
+    Comparison result =
+        compare(std::move(simulated.cloud), read_metric_mesh(request), nullptr, request.options, threads);
+    add_sides(result.report, words, mesh);
+    return finish(result, request, outcome);
+  }
+  const ComparedCloud observed = read_compared(request.observed, request.height_unit, threads);
+  require_same_crs({request.simulated.string(), request.observed.string()},
+                   {simulated.cloud.site.crs, observed.cloud.site.crs});
   return finish(compare_clouds(std::move(simulated), observed, request.options, request.height_unit, threads), request,
                 outcome);
 }

@@ -80,6 +80,8 @@ struct Gridded {
   Heightfield field;
   std::string words;
   std::vector<double> sigma;
+  double spacing = 0;  ///< of a frame's particles, m
+  std::vector<std::string> warnings = {};
 };
 
 Heightfield triangulated(const PointCloud& cloud, const RasterGrid& grid, double longest_edge, int threads) {
@@ -99,6 +101,20 @@ Gridded from_points(const PointCloud& cloud, const RasterGrid& grid, const DodOp
           {}};
 }
 
+Gridded from_frame(const Frame& frame, const RasterGrid& grid, const DodOptions& options, int threads) {
+  const FreeSurface surface = free_surface(frame, threads);
+  Gridded gridded;
+  if (surface.cloud.normals.empty()) {
+    gridded = from_points(surface.cloud, grid, options, threads);
+    gridded.words = surface.words + ", " + gridded.words;
+  } else {
+    SurfaceRaster raster = surface_raster(surface, grid, options.policy, threads);
+    gridded = {std::move(raster.field), surface.words, std::move(raster.sigma), surface.spacing};
+  }
+  gridded.warnings = surface.warnings;
+  return gridded;
+}
+
 Gridded on_grid(const SurfaceSource& source, const RasterGrid& grid, const DodOptions& options, int threads) {
   Gridded gridded;
   if (const auto* raster = std::get_if<Heightfield>(&source)) {
@@ -110,11 +126,13 @@ Gridded on_grid(const SurfaceSource& source, const RasterGrid& grid, const DodOp
   } else if (const auto* cloud = std::get_if<PointCloud>(&source)) {
     gridded = from_points(*cloud, grid, options, threads);
   } else {
-    gridded = from_points(free_surface(std::get<Frame>(source)), grid, options, threads);
-    gridded.words = "free surface of a frame, " + gridded.words;
+    gridded = from_frame(std::get<Frame>(source), grid, options, threads);
   }
   // The origin and CRS of the pair are the observed side's.
   const std::size_t filled = fill_empty(gridded.field, options.fill_distance);
+  // What was filled is known no better than a spacing.
+  for (std::size_t i = 0; i < gridded.sigma.size(); ++i)
+    if (std::isnan(gridded.sigma[i]) && !std::isnan(gridded.field.z[i])) gridded.sigma[i] = gridded.spacing;
   if (filled > 0) gridded.words += "; " + std::to_string(filled) + " empty cells filled from their surroundings";
   return gridded;
 }
@@ -166,7 +184,9 @@ SurfacePair make_surface_pair(SurfaceSources sources, CompareOptions& options, i
                    {},
                    {},
                    simulated.words,
-                   observed.words};
+                   observed.words,
+                   std::move(simulated.warnings)};
+  for (std::string& warning : observed.warnings) pair.warnings.push_back(std::move(warning));
   if (sources.before) pair.before = on_grid(*sources.before, grid, options.dod, threads).field;
   if (sources.stable_mask) pair.stable_mask = resample(std::get<Heightfield>(*sources.stable_mask), grid, nullptr);
   return pair;

@@ -277,7 +277,7 @@ TEST(MakeFrame, CarriesWhatIsAskedAndWhatIsAlwaysThere) {
       1.5, 12);
   EXPECT_EQ(frame.positions, p.position);
   EXPECT_EQ(frame.site.origin, model.site.origin);
-  EXPECT_EQ(frame.fields.size(), 12u);
+  EXPECT_EQ(frame.fields.size(), 13u);
   const auto first = [&](const char* name) { return std::get<std::vector<float>>(find_field(frame, name)->values)[0]; };
   EXPECT_EQ(std::get<std::vector<std::int64_t>>(find_field(frame, "id")->values), p.id);
   EXPECT_EQ(find_field(frame, "colour")->components, 3);
@@ -288,6 +288,8 @@ TEST(MakeFrame, CarriesWhatIsAskedAndWhatIsAlwaysThere) {
   EXPECT_EQ(first("mean_stress"), 10.0f);
   EXPECT_FLOAT_EQ(first("von_mises_stress"), std::sqrt(900.0f + 48.0f));
   EXPECT_EQ(first("volume_ratio"), 2.0f);
+  EXPECT_EQ(first("volume"), static_cast<float>(2 * p.reference_volume[0])) << "in the current configuration";
+  EXPECT_EQ(find_field(frame, "volume")->unit, model.domain.dimension == 2 ? "m3/m" : "m3");
   EXPECT_EQ(first("density"), 500.0f);
   EXPECT_EQ(find_field(frame, "density")->unit, "kg/m3");
   EXPECT_EQ(find_field(frame, "deformation_gradient")->components, 9);
