@@ -11,12 +11,12 @@
 namespace scarp {
 namespace {
 
-constexpr double kDepth = 2;      ///< of the column below the particle, spacings
-constexpr double kAbove = 2.5;    ///< what floats higher belongs to something else
-constexpr double kEdge = 0.95;    ///< coverage from which a column counts as full
-constexpr double kThin = 0.75;    ///< of the coverage; less of it at the foot of the column: the layer ends above
-constexpr double kAlone = 0.4;    ///< coverage below which there is no surface
-constexpr double kBent = 6;       ///< condition of F up to which neighbours are still those of the lattice
+constexpr double kDepth = 2;    ///< of the column below the particle, spacings
+constexpr double kAbove = 2.5;  ///< what floats higher belongs to something else
+constexpr double kEdge = 0.95;  ///< coverage from which a column counts as full
+constexpr double kThin = 0.75;  ///< of the coverage; less of it at the foot of the column: the layer ends above
+constexpr double kAlone = 0.4;  ///< coverage below which there is no surface
+constexpr double kBent = 6;     ///< condition of F up to which neighbours are still those of the lattice
 
 /// From offsets around a particle to the lattice, in spacings, and back.
 struct Lattice {
@@ -78,8 +78,8 @@ double kernel(double squared) {
 
 /// What stands in a column, by depth.
 struct Filling {
-  double thickness = 0;                ///< T
-  double moment = 0;                   ///< of T about the particle
+  double thickness = 0;                  ///< T
+  double moment = 0;                     ///< of T about the particle
   std::array<double, 3> layer{0, 0, 0};  ///< coverage 0, 1 and 2 spacings below the particle
 
   void add(double volume_over_area, double z) {
