@@ -38,6 +38,15 @@ SCARP_INLINE double* history_of(const StressSweep& sweep, const Segment& segment
   return sweep.history + segment.history + place * (Law::template fields<D> * kSegment) + lane;
 }
 
+/// Zero displacement in lanes without a cell, see cut_deformation.
+template <int D>
+SCARP_INLINE void keep_where(Mask here, Pack (&u)[D][kCorners<D>]) {
+#pragma GCC unroll 3
+  for (int c = 0; c < D; ++c)
+#pragma GCC unroll 8
+    for (int k = 0; k < kCorners<D>; ++k) u[c][k] = choose(here, u[c][k], Pack{});
+}
+
 /// F of a point of regular cells.
 template <int D>
 SCARP_INLINE void regular_deformation(const Pack (&g)[D][D][kHalf<D>], int point, Deformation<D>& d) {
@@ -49,13 +58,16 @@ SCARP_INLINE void regular_deformation(const Pack (&g)[D][D][kHalf<D>], int point
   d.complete();
 }
 
-/// The same of cut cells, from U / cell and the point in monomials.
+/// The same of cut cells, from U / cell and the point in monomials. F = I where there is no point, V0 = 0: some nodes
+/// around an empty place move and some do not, so that it would be crushed, and no number times 0 is 0 then.
 template <int D>
-SCARP_INLINE void cut_deformation(const Pack (&a)[D][kCorners<D>], const Pack (&m)[kCorners<D>], Deformation<D>& d) {
+SCARP_INLINE void cut_deformation(const Pack (&a)[D][kCorners<D>], const Pack (&m)[kCorners<D>], Pack V0,
+                                  Deformation<D>& d) {
 #pragma GCC unroll 3
   for (int c = 0; c < D; ++c)
 #pragma GCC unroll 3
-    for (int axis = 0; axis < D; ++axis) d.F[3 * c + axis] = derivative<D>(a[c], m, axis) + (c == axis ? 1.0 : 0.0);
+    for (int axis = 0; axis < D; ++axis)
+      d.F[3 * c + axis] = choose(V0 > 0.0, derivative<D>(a[c], m, axis), Pack{}) + (c == axis ? 1.0 : 0.0);
   d.complete();
 }
 
@@ -134,9 +146,10 @@ SCARP_INLINE void regular_cells(const StressSweep& sweep, const Law& law, const 
                                 CellSums<D>& sums) {
   Pack u[D][kCorners<D>], g[D][D][kHalf<D>], h[D][D][kHalf<D>] = {};
   gather_displacement<D>(sweep, segment, lane, kRegularFactor<D> * sweep.per_cell, u);
-  for (int c = 0; c < D; ++c) regular_gradient<D>(u[c], g[c]);
   const double* points = sweep.points + segment.points + lane;
   const Pack V0 = load(points + kSegment), here = choose(V0 > 0.0, all(1.0 / kCorners<D>), Pack{});
+  keep_where<D>(V0 > 0.0, u);
+  for (int c = 0; c < D; ++c) regular_gradient<D>(u[c], g[c]);
   const Pack J_cell = average ? regular_mean_volume<D>(g) : Pack{};
   if constexpr (Law::light && !average) {
 #pragma GCC unroll 8
@@ -180,8 +193,8 @@ SCARP_INLINE Pack cut_mean_volume(const StressSweep& sweep, const Segment& segme
     Pack m[kCorners<D>];
     monomials<D>(point, m);
     Deformation<D> d;
-    cut_deformation<D>(a, m, d);
     const Pack V0 = load(point + D * kSegment);
+    cut_deformation<D>(a, m, V0, d);
     J += V0 * d.J;
     volume += V0;
   }
@@ -208,7 +221,7 @@ SCARP_INLINE void cut_cells(const StressSweep& sweep, const Law& law, const Segm
       monomials<D>(point, m);
       const Pack V0 = load(point + D * kSegment), factor = -V0 * sweep.per_cell;
       Deformation<D> d;
-      cut_deformation<D>(a, m, d);
+      cut_deformation<D>(a, m, V0, d);
       stress_of(place, point, V0, d, P);
 #pragma GCC unroll 3
       for (int c = 0; c < D; ++c)
@@ -274,12 +287,13 @@ void energy_sweep(const StressSweep& sweep, const Segment* begin, const Segment*
       Pack u[D][kCorners<D>], g[D][D][kHalf<D>];
       const bool regular = segment->kind == CellKind::regular;
       gather_displacement<D>(sweep, *segment, lane, (regular ? kRegularFactor<D> : 1.0) * sweep.per_cell, u);
+      const double* points = sweep.points + segment->points + lane;
+      if (regular) keep_where<D>(load(points + kSegment) > 0.0, u);
       for (int c = 0; c < D; ++c)
         if (regular)
           regular_gradient<D>(u[c], g[c]);
         else
           to_monomials<D>(u[c]);
-      const double* points = sweep.points + segment->points + lane;
       Pack J_cell{}, volume;
       if constexpr (average)
         J_cell = regular ? regular_mean_volume<D>(g) : cut_mean_volume<D>(sweep, *segment, lane, u, volume);
@@ -295,7 +309,7 @@ void energy_sweep(const StressSweep& sweep, const Segment* begin, const Segment*
           Pack m[kCorners<D>];
           monomials<D>(point, m);
           V0 = load(point + D * kSegment);
-          cut_deformation<D>(u, m, d);
+          cut_deformation<D>(u, m, V0, d);
         }
         const double* history = history_of<D, Law>(sweep, *segment, place, lane);
         if constexpr (average) {
