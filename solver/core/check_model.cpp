@@ -109,6 +109,23 @@ void check_transfer(const SolverOptions& options) {
     refuse("xpic_order", std::to_string(*options.xpic_order), "2 to 5");
 }
 
+void check_pair(const Model& model, const ContactPairOptions& pair, const std::string& name) {
+  if (pair.bodies.empty() == pair.materials.empty()) refuse(name, "", "one of bodies and materials");
+  const std::vector<std::string>& names = pair.bodies.empty() ? pair.materials : pair.bodies;
+  if (names.size() != 2) refuse("names of " + name, std::to_string(names.size()), "two");
+  const auto known = [&](const std::string& wanted) {
+    const auto is = [&](const auto& entry) { return entry.name == wanted; };
+    return pair.bodies.empty() ? std::any_of(model.materials.begin(), model.materials.end(), is)
+                               : std::any_of(model.bodies.begin(), model.bodies.end(), is);
+  };
+  for (const std::string& wanted : names)
+    if (!known(wanted))
+      refuse(name, "'" + wanted + "'", pair.bodies.empty() ? "the name of a material" : "the name of a body");
+  if (!pair.bodies.empty() && names[0] == names[1]) refuse(name, "'" + names[0] + "' twice", "two bodies");
+  if (!(pair.friction >= 0) || !std::isfinite(pair.friction))
+    refuse("friction of " + name, shortest(pair.friction), "0 or above");
+}
+
 }  // namespace
 
 void check_model(const Model& model) {
@@ -169,6 +186,28 @@ void check_formulations(const Model& model, const SolverOptions& options) {
       refuse("shape of total-Lagrangian body '" + body.name + "'", std::string(name_of(options.shape)),
              "linear; or formulation = \"updated-lagrangian\" for the body");
   }
+}
+
+void check_contact(const Model& model, const SolverOptions& options) {
+  const ContactOptions& contact = model.contact;
+  if (!(contact.friction >= 0) || !std::isfinite(contact.friction))
+    refuse("contact.friction", shortest(contact.friction), "0 or above");
+  if (!(contact.stiffness > 0) || !std::isfinite(contact.stiffness))
+    refuse("contact.stiffness", shortest(contact.stiffness), "above 0");
+  for (std::size_t i = 0; i < contact.pairs.size(); ++i)
+    check_pair(model, contact.pairs[i], "contact.pairs." + std::to_string(i));
+  if (contact.method == ContactMethod::none) {
+    if (!contact.pairs.empty()) refuse("contact.pairs with method \"none\"", "given", "none, or another method");
+    return;
+  }
+  if (!has_formulation(model, Formulation::total_lagrangian))
+    refuse("contact.method without a total-Lagrangian body", "penalty",
+           "\"none\": updated-Lagrangian bodies meet on the grid that they share");
+  if (options.relax)
+    refuse("solver.relax with contact", "given", "none: displacements begin anew after it, and contact would open");
+  if (options.reference_update)
+    refuse("solver.reference_update with contact", "given",
+           "none: surfaces belong to the first reference configuration");
 }
 
 bool has_formulation(const Model& model, Formulation formulation) {

@@ -19,6 +19,9 @@ void check_options(const OutputOptions& options);
 ///         bodies have, and where reference_update meets what cannot move with the grid.
 void check_formulations(const Model& model, const SolverOptions& options);
 
+/// @throws Error ("solve") where Model::contact names what is not there, or cannot be had with the bodies or options.
+void check_contact(const Model& model, const SolverOptions& options);
+
 bool has_formulation(const Model& model, Formulation formulation);
 
 }  // namespace scarp

@@ -3,6 +3,7 @@
 #include "solver/core/formulations.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver/core/check_model.hpp"
 #include "solver/core/diagnostics.hpp"
@@ -14,21 +15,28 @@
 namespace scarp {
 
 Formulations::Formulations(Model& model, const SolverOptions& options, int threads, const kernels::Kernels& kernels)
-    : model_(model), gravity_(gravity_of(options, model.domain.dimension)), threads_(threads) {
+    : model_(model),
+      gravity_(gravity_of(options, model.domain.dimension)),
+      threads_(threads),
+      courant_(options.courant) {
   check_model(model);
   check_options(options, model.domain.dimension);
   check_formulations(model, options);
+  check_contact(model, options);
   set_saturated_masses(model);
   sort_by_cell(model);
   set_k0_stress(model, options, threads);
   if (has_formulation(model, Formulation::total_lagrangian)) total_.emplace(model, options, threads, kernels);
   if (has_formulation(model, Formulation::updated_lagrangian)) updated_.emplace(model, options, threads);
+  if (model.contact.method == ContactMethod::penalty)
+    contact_.emplace(model, total_ ? &*total_ : nullptr, updated_ ? &*updated_ : nullptr);
 }
 
 double Formulations::stable_time_step() const {
-  if (!total_) return updated_->stable_time_step();
-  if (!updated_) return total_->stable_time_step();
-  return std::min(total_->stable_time_step(), updated_->stable_time_step());
+  double least = contact_ ? contact_->stable_time_step(courant_) : INFINITY;
+  if (total_) least = std::min(least, total_->stable_time_step());
+  if (updated_) least = std::min(least, updated_->stable_time_step());
+  return least;
 }
 
 StepLimit Formulations::step_limit() {
@@ -53,9 +61,11 @@ Failure Formulations::collapse(const std::string& what) {
 }
 
 std::int64_t Formulations::step(double dt) {
+  if (contact_) contact_->push(dt);
   if (total_) total_->step(dt);
   if (updated_) updated_->step(dt);
   time_ += dt;
+  if (contact_ && bad_particle() < 0) contact_->update();
   return bad_particle();
 }
 
@@ -70,6 +80,7 @@ NodeWork Formulations::work() const {
   NodeWork work;
   if (total_) work = work + total_->work();
   if (updated_) work = work + updated_->work();
+  if (contact_) work.friction += contact_->friction();
   return work;
 }
 
@@ -125,6 +136,11 @@ HistorySample Formulations::measure(Diagnostics& diagnostics) {
   sample.kinetic += affine.kinetic;
   sample.total += affine.kinetic;
   sample.angular_momentum = sample.angular_momentum + affine.angular_momentum;
+  if (contact_) {
+    sample.contact = contact_->stored();
+    sample.total += sample.contact;
+    sample.contact_force = contact_->take_mean_force();
+  }
   return sample;
 }
 

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "solver/core/contact.hpp"
 #include "solver/core/diagnostics.hpp"
 #include "solver/core/step_total.hpp"
 #include "solver/core/step_updated.hpp"
 
 namespace scarp {
 
-/// All bodies of a model, each in its formulation, with one time step. Total- and updated-Lagrangian bodies do not
-/// feel each other.
+/// All bodies of a model, each in its formulation, with one time step, and what is between them.
 class Formulations {
  public:
   /// Checks the model and sorts its particles by cell. `model` must outlive this object.
@@ -21,7 +21,7 @@ class Formulations {
   Formulations(Model& model, const SolverOptions& options, int threads,
                const kernels::Kernels& kernels = kernels::best_kernels());
 
-  /// The smaller of both, s; 0 where the state is not finite.
+  /// The smallest of both and of contact, s; 0 where the state is not finite.
   double stable_time_step() const;
   /// bad_particle() after it.
   std::int64_t step(double dt);
@@ -72,6 +72,8 @@ class Formulations {
   std::vector<Vec3> start_velocity_;
   std::optional<TotalLagrangian> total_;
   std::optional<UpdatedLagrangian> updated_;
+  double courant_;
+  std::optional<Contact> contact_;
 };
 
 }  // namespace scarp

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/core/contact_surface.hpp"
 #include "solver/core/nodal_layout.hpp"
 #include "solver/core/node_step.hpp"
 #include "solver/core/stress.hpp"
@@ -48,6 +49,15 @@ class NodalBody {
   void add_body_force(const Particles& particles, const std::vector<Vec3>& acceleration);
   /// sum of m_p b_p . (x_p - X_p), J: what a step adds to it is the work of the body force. Serial.
   double body_force_times_displacement(const Particles& particles, const std::vector<Vec3>& acceleration) const;
+
+  /// See the calls of TotalLagrangian.
+  void prepare_contact(ContactSurface& surface) const;
+  void locate_contact(const ContactSurface& surface, const std::uint32_t* points, std::size_t count,
+                      std::vector<Vec3>& y, std::vector<Vec3>& n) const;
+  void anchor_contact(const ContactSurface& surface, std::vector<Vec3>& anchor) const;
+  double contact_shift(const ContactSurface& surface, const std::vector<Vec3>& anchor) const;
+  void push_contact(const ContactSurface& surface, const std::uint32_t* points, std::size_t count,
+                    const std::vector<Vec3>& force);
 
   /// A whole step; what the nodes' conditions took and gave.
   NodeWork step(const NodalStep& step, int threads);

@@ -195,6 +195,8 @@ StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravi
   if (options_.transfer == Transfer::apic) advance_affine(particles, body, threads_);  // (3), (1)
   find_node_velocities(body, threads_);                                                // (5), (2)
   body.conditions.loads.hold(body.velocity);
+  for (std::size_t i = 0; i < body.displacement.size(); ++i)
+    body.displacement[i] = body.displacement[i] + dt * body.velocity[i];
   return update_stress(particles, body, body.laws, dt, threads_);  // (5), (6), (1)
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/core/apic.hpp"
+#include "solver/core/contact_surface.hpp"
 #include "solver/core/nodal_body.hpp"
 #include "solver/core/step_options.hpp"
 #include "solver/core/total_body.hpp"
@@ -67,6 +68,20 @@ class TotalLagrangian {
   const Vec3& gravity() const { return options_.gravity; }  ///< the steady one
   /// Of the nodes' conditions since the start or the last rest().
   NodeWork work() const { return work_; }
+
+  /// The bodies of this formulation, in the order of the model.
+  const TotalBody& body(std::size_t index) const { return bodies_[index]; }
+  /// For contact: turns the nodes of a surface into places that the calls below understand.
+  void prepare_contact(std::size_t index, ContactSurface& surface);
+  /// y = x(Y) and the current outward normal of some points of the surface; other entries stay.
+  void locate_contact(std::size_t index, const ContactSurface& surface, const std::uint32_t* points, std::size_t count,
+                      std::vector<Vec3>& y, std::vector<Vec3>& n) const;
+  /// Keeps where the surface is; then, how far any part of it has moved since, m.
+  void anchor_contact(std::size_t index, const ContactSurface& surface, std::vector<Vec3>& anchor) const;
+  double contact_shift(std::size_t index, const ContactSurface& surface, const std::vector<Vec3>& anchor) const;
+  /// Adds forces at points of the surface to those of the next step; per point of the surface, N.
+  void push_contact(std::size_t index, const ContactSurface& surface, const std::uint32_t* points, std::size_t count,
+                    const std::vector<Vec3>& force);
 
   /// For a start at rest (see relax): velocities are put aside, damping is `damping`, absorbing faces hold still.
   void begin_relaxing(double damping);

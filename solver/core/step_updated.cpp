@@ -70,6 +70,7 @@ void UpdatedLagrangian::step(double dt) {
     take(update_stress(particles, grid_, laws_, dt, threads_));  // (5), (6)
     map_forces(particles, grid_, threads_);                      // (1)
   }
+  if (!in_contact_.empty()) add_particle_forces(grid_, contact_force_, threads_);
   advance_nodes(grid_, gravity, dt, threads_);  // (2)
   work_ = work_ + conditions_.act(grid_, time_, dt, gravity - options_.gravity, options_.ramp(time_, dt), threads_);
   if (options_.transfer == Transfer::xpic) {
@@ -88,6 +89,13 @@ void UpdatedLagrangian::step(double dt) {
   }
   place();
   time_ += dt;
+}
+
+void UpdatedLagrangian::push_contact(const std::vector<std::uint32_t>& particles, const std::vector<Vec3>& forces) {
+  contact_force_.resize(model_.particles.size(), Vec3{0, 0, 0});
+  for (std::uint32_t p : in_contact_) contact_force_[p] = {0, 0, 0};
+  in_contact_ = particles;
+  for (std::size_t k = 0; k < particles.size(); ++k) contact_force_[particles[k]] = forces[k];
 }
 
 void UpdatedLagrangian::begin_relaxing(double damping) {

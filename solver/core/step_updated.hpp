@@ -38,6 +38,10 @@ class UpdatedLagrangian {
   /// What the particles' affine velocities add; nothing but with APIC.
   AffineMotion affine_motion() const;
 
+  /// For contact: forces on particles in the next step, N, beside all others; they count as no load's work.
+  /// @param particles  index into Model::particles
+  void push_contact(const std::vector<std::uint32_t>& particles, const std::vector<Vec3>& forces);
+
   /// For a start at rest (see relax): velocities are zero, damping is `damping`, absorbing faces and loads hold still.
   void begin_relaxing(double damping);
   /// Ends it: each particle's position is its reference position, so that displacements count from here; stress, F and
@@ -63,6 +67,8 @@ class UpdatedLagrangian {
   StepOptions options_;
   UpdatedConditions conditions_;
   NodeWork work_;
+  std::vector<Vec3> contact_force_;        ///< per particle of the model, N; empty without contact
+  std::vector<std::uint32_t> in_contact_;  ///< particles with such a force
   double time_ = 0;
   int threads_;
   double wave_speed_ = 0;      ///< m/s, of the stiffest particle

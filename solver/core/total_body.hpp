@@ -36,6 +36,7 @@ struct TotalBody {
   std::vector<double> inverse_mass;    ///< 1 / m_I
   std::vector<Vec3> velocity;          ///< v_I, of the momentum mapped last
   std::vector<Vec3> velocity_updated;  ///< v~_I
+  std::vector<Vec3> displacement;      ///< per node: sum of dt v_I; with contact, else empty
   std::vector<Vec3> slots;             ///< per cell and corner: momentum, then force
   std::vector<Vec3> water_slots;       ///< per cell and corner; empty without water
   std::vector<Mat3> affine;            ///< C_p of apic.hpp, per particle; empty with another transfer

@@ -135,6 +135,21 @@ void map_forces(const Particles& particles, UpdatedGrid& grid, int threads) {
   });
 }
 
+void add_particle_forces(UpdatedGrid& grid, const std::vector<Vec3>& force, int threads) {
+  with_shape(grid, [&]<int D, class S>() {
+    for_each_updated_cell(grid, threads, [&](std::size_t, std::size_t c) {
+      for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+        const Vec3& f = force[grid.members[m]];
+        if (f == Vec3{0, 0, 0}) continue;
+        WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) {
+          Vec3& sum = grid.slots[c * kWindow<D, S> + static_cast<std::size_t>(k)].force;
+          sum = sum + phi * f;
+        });
+      }
+    });
+  });
+}
+
 void find_node_velocities(UpdatedGrid& grid, int threads) {
   for_each_updated_node(grid, threads, [&](std::size_t i, const NodeSums& sum) {
     grid.mass[i] = sum.mass;

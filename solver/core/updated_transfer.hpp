@@ -16,6 +16,10 @@ void map_to_nodes(const Particles& particles, UpdatedGrid& grid, int threads);
 /// (1) The slots' forces only, for stresses that have changed since.
 void map_forces(const Particles& particles, UpdatedGrid& grid, int threads);
 
+/// (1) Adds sum_p of phi_Ip f_p to the slots' forces.
+/// @param force  per particle of the model, N
+void add_particle_forces(UpdatedGrid& grid, const std::vector<Vec3>& force, int threads);
+
 /// (1), (2), (5) m_I and v_I = (m v)_I / m_I from the slots, zero along held axes.
 void find_node_velocities(UpdatedGrid& grid, int threads);
 

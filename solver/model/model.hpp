@@ -11,6 +11,7 @@
 
 #include "solver/materials/material.hpp"
 #include "solver/model/body_options.hpp"
+#include "solver/model/contact_options.hpp"
 #include "solver/model/domain.hpp"
 #include "solver/model/ground_motion.hpp"
 #include "solver/model/load_options.hpp"
@@ -53,6 +54,7 @@ struct Model {
   SiteFrame site;
   // Of the run, not stored with the model:
   std::vector<LoadOptions> loads;  ///< local
+  ContactOptions contact;
   std::vector<GroundMotion> shaking;
   std::optional<WaterTable> water;
   /// Acceleration beside gravity at the reference position X, m/s2.

@@ -56,14 +56,17 @@ struct HistorySample {
   double strain = 0;
   double plastic = 0;
   double potential = 0;  ///< gravity, relative to the reference configuration
-  double friction = 0;   ///< lost on faces with friction since the start
+  double friction = 0;   ///< lost on faces with friction and between bodies since the start
   double damping = 0;    ///< lost to damping and absorbing faces since the start
   double external =
       0;  ///< done on the model by loads since the start, and by gravity as far as it differs from its steady value
-  double total = 0;  ///< kinetic + strain + plastic + potential + friction + damping - external
+  double contact = 0;  ///< stored in the springs between bodies
+  double total = 0;    ///< kinetic + strain + plastic + potential + contact + friction + damping - external
   Vec3 momentum{0, 0, 0};
   Vec3 angular_momentum{0, 0, 0};  ///< sum of (x - RunReport::reference_centre) x m v, kg m2/s; plane strain: about z
   Vec3 centre{0, 0, 0};            ///< of mass, local, m
+  /// By contact on each body, N: the mean since the sample before. Empty where there is no contact.
+  std::vector<Vec3> contact_force;
 };
 
 /// What sets the time step: the cell of a total-Lagrangian body or the particle of an updated-Lagrangian one that a

@@ -12,6 +12,7 @@
 #include "solver/materials/material.hpp"
 #include "solver/model/body_options.hpp"
 #include "solver/model/compare_options.hpp"
+#include "solver/model/contact_options.hpp"
 #include "solver/model/domain.hpp"
 #include "solver/model/probe_options.hpp"
 #include "solver/model/render_options.hpp"
@@ -65,6 +66,7 @@ struct Scenario {
   DomainOptions domain;
   std::map<std::string, Material> materials;
   std::vector<BodyOptions> bodies;
+  ContactOptions contact;
   std::optional<WaterTableOptions> water_table;
   std::vector<LoadOptions> loads;
   std::vector<ShakingOptions> shaking;
@@ -81,6 +83,7 @@ struct Scenario {
     v("domain", domain, Spec{.text = "the box, its grid and its faces", .required = true});
     v("materials", materials, Spec{.text = "laws and their parameters, by name", .required = true});
     v("bodies", bodies, Spec{.text = "what is simulated", .required = true});
+    v("contact", contact, Spec{.text = "how bodies meet"});
     v("water_table", water_table,
       Spec{.text = "pore pressure as a given field: hydrostatic below this level; stresses are effective ones then"});
     v("loads", loads, Spec{.text = "what acts on the bodies in time, beside gravity"});

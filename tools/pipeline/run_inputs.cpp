@@ -45,6 +45,7 @@ void add_run_inputs(const Project& project, Model& model) {
   Scenario local = project.scenario;
   localize_scenario(local, model.site.origin);
   model.loads = local.loads;
+  model.contact = local.contact;
   if (!local.solver.body_force.empty())
     model.body_force = compile_field("solver.body_force", local.solver.body_force, model.site.origin);
   model.water.reset();

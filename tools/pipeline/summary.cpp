@@ -74,6 +74,7 @@ Json to_json(const HistorySample& sample) {
           {"potential_J", sample.potential},
           {"total_J", sample.total},
           {"momentum_kg_m_s", to_json(sample.momentum)},
+          {"contact_J", sample.contact},
           {"friction_J", sample.friction},
           {"damping_J", sample.damping},
           {"external_J", sample.external},

@@ -28,7 +28,13 @@ RunWriter::RunWriter(const Project& project, const Model& model)
   clear_earlier_run(project.artefacts);
   history_ =
       "time,step,dt,kinetic,strain,plastic,potential,total,momentum_x,momentum_y,momentum_z,friction,damping,"
-      "external,angular_momentum_x,angular_momentum_y,angular_momentum_z,centre_x,centre_y,centre_z\n";
+      "external,angular_momentum_x,angular_momentum_y,angular_momentum_z,centre_x,centre_y,centre_z";
+  if (model.contact.method != ContactMethod::none) {
+    history_ += ",contact";
+    for (const Body& body : model.bodies)
+      for (const char axis : {'x', 'y', 'z'}) history_ += std::string(",contact_force_") + axis + "_" + body.name;
+  }
+  history_ += '\n';
 }
 
 void RunWriter::frame(const Model& model, double time, std::int64_t step) {
@@ -55,7 +61,13 @@ void RunWriter::sample(const HistorySample& sample) {
                        sample.momentum[0], sample.momentum[1], sample.momentum[2], sample.friction, sample.damping,
                        sample.external, L[0], L[1], L[2], centre[0], centre[1]})
     append(value, ',');
-  append(centre[2], '\n');
+  append(centre[2], ',');
+  if (!sample.contact_force.empty()) {
+    append(sample.contact, ',');
+    for (const Vec3& force : sample.contact_force)
+      for (double value : force) append(value, ',');
+  }
+  history_.back() = '\n';
 }
 
 void RunWriter::look(const Model& model, const HistorySample& sample) {

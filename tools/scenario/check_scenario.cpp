@@ -40,6 +40,7 @@ class Checker {
     check_unique_fields();
     check_intervals();
     check_run_out();
+    for (std::size_t i = 0; i < scenario_.contact.pairs.size(); ++i) check_contact_pair(i);
     for (std::size_t i = 0; i < scenario_.loads.size(); ++i) check_load(i);
     for (std::size_t i = 0; i < scenario_.probes.size(); ++i) check_probe(i);
     check_water();
@@ -254,6 +255,22 @@ class Checker {
     if (region.face && flat() && static_cast<int>(*region.face) >= 4)
       fail(steps + "face", path_of(steps + "face") + ": plane strain has no faces in z", "x_min, x_max, y_min, y_max");
     if (region.body) check_reference(steps + "body", *region.body, "body", names_of(scenario_.bodies));
+  }
+
+  void check_contact_pair(std::size_t i) const {
+    const ContactPairOptions& pair = scenario_.contact.pairs[i];
+    const Steps steps{"contact", "pairs", std::to_string(i)};
+    if (pair.bodies.empty() == pair.materials.empty())
+      fail(steps, path_of(steps) + " must have one of \"bodies\" and \"materials\"");
+    const bool of_bodies = !pair.bodies.empty();
+    const std::string key = of_bodies ? "bodies" : "materials";
+    const Steps& names = of_bodies ? pair.bodies : pair.materials;
+    if (names.size() != 2) fail(steps + key, path_of(steps + key) + " must be two names", "[\"a\", \"b\"]");
+    for (std::size_t k = 0; k < 2; ++k)
+      check_reference(steps + key + std::to_string(k), names[k], of_bodies ? "body" : "material",
+                      of_bodies ? names_of(scenario_.bodies) : material_names());
+    if (of_bodies && names[0] == names[1])
+      fail(steps + key, path_of(steps + key) + ": a body does not meet itself", "two bodies");
   }
 
   void check_load(std::size_t i) const {

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "solver/core/cell_list.hpp"
+#include "solver/core/contact_surface.hpp"
+#include "solver/core/step_total.hpp"
+#include "solver/core/step_updated.hpp"
+
+namespace scarp {
+
+/// A body as contact sees it: points with an area. Of a total-Lagrangian body those of its surface; of an
+/// updated-Lagrangian one all particles, as balls of half their spacing.
+struct ContactBody {
+  std::int32_t body = 0;  ///< index into Model::bodies
+  bool total = false;
+  std::size_t begin = 0;  ///< first particle of an updated-Lagrangian body
+  double spacing = 0;     ///< of its particles, m
+  ContactSurface surface;
+  std::vector<double> modulus;         ///< rho c_p^2 of the point's material, Pa
+  std::vector<std::int32_t> material;  ///< index into Model::materials
+  std::vector<double> area, radius;    ///< m2 (2D: m), m; no radius on a surface
+  std::vector<double> mobility;        ///< see ContactSurface
+  std::vector<Vec3> y, n;              ///< place and outward normal, of the active points; no normal of balls
+  std::vector<Vec3> moved;             ///< of y since the update before
+  std::vector<Vec3> force;             ///< on the active points, N
+  std::vector<double> stiffness;       ///< of the springs at the active points, N/m
+  std::vector<Vec3> anchor;            ///< see TotalLagrangian::contact_shift
+  std::vector<std::uint32_t> active;   ///< points that may touch before the lists are made anew, ascending
+  std::vector<std::uint8_t> is_active;
+  Box3 box;
+  CellList cells;
+  bool pressed = false;  ///< whether some force is not zero
+
+  std::size_t size() const { return area.size(); }
+};
+
+/// The points of one body against the surface of another.
+struct ContactLink {
+  struct Candidate {
+    std::uint32_t point = 0;
+    std::uint32_t begin = 0, end = 0;  ///< range in `masters`
+  };
+  std::size_t slave = 0, master = 0;  ///< which ContactBody
+  double share = 1;                   ///< of the springs; half where the bodies look at each other in turn
+  std::optional<double> friction;     ///< of this pair of bodies; else that of the materials holds
+  std::vector<Candidate> candidates;
+  std::vector<std::uint32_t> masters;
+  std::vector<Vec3> stretch;           ///< per point: of the tangential spring, m
+  std::vector<std::uint8_t> touching;  ///< per point
+};
+
+/// Contact by springs between the surfaces of total-Lagrangian bodies, and between them and the particles of
+/// updated-Lagrangian ones, in the current configuration.
+///
+/// A point looks at the points q of the other surface within two spacings: their planes (y_q, n_q), averaged with
+/// weights w_q = A_q (1 - |y - y_q|^2 / R^2)^2, are a smooth surface (moving least squares of planes: Shen, O'Brien,
+/// Shewchuk 2004; Kolluri 2005). The depth d below it gives the pressure k d along the averaged normal, with k =
+/// stiffness x P-wave modulus / spacing, whatever the time step; a tangential spring of the same stiffness stretches
+/// with the relative motion and slips at Coulomb's limit (Cundall and Strack 1979). The point's force is taken from the
+/// points q in proportion to w_q: forces sum to nothing. Beyond the rim of an open patch of surface the springs fade.
+///
+/// Points near enough to matter are listed, and the lists hold until something has moved half their margin. A step
+/// looks at the listed points alone and allocates nothing once buffers have grown. Serial; same bits for any threads.
+class Contact {
+ public:
+  /// @param total, updated  steppers of the model's bodies; none where there are no such bodies; outlive this object
+  /// @throws Error ("solve") where bodies overlap at the start.
+  Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* updated);
+
+  /// Finds the forces of the state as it stands.
+  void update();
+  /// Gives them to the bodies for a step of dt.
+  void push(double dt);
+  /// courant times the largest step that is stable for the springs as they stand, s; infinite where nothing touches.
+  double stable_time_step(double courant) const;
+
+  double stored() const { return stored_; }      ///< in springs, J
+  double friction() const { return friction_; }  ///< lost so far, J
+  /// Mean force on each body since the last call, N. Its integral over a history is the impulse.
+  std::vector<Vec3> take_mean_force();
+
+ private:
+  struct Touch;
+  void add_total_body(std::int32_t body, std::size_t index);
+  void add_updated_body(std::int32_t body);
+  void size_buffers(ContactBody& body);
+  void add_links();
+  void refuse_overlap() const;
+  double reach(const ContactBody& a, const ContactBody& b) const { return 2 * std::max(a.spacing, b.spacing); }
+  bool lists_hold();
+  void locate(ContactBody& body, bool all);
+  void make_lists();
+  void list_candidates(ContactLink& link);
+  void find_forces(ContactLink& link);
+  bool look(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch);
+  double height_above(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch);
+  double approach(const ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch) const;
+  Vec3 slid_over(const ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch) const;
+  void stiffen(const ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch);
+  void press(ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch);
+  Vec3 rub(Vec3& stretch, bool touched, const Vec3& slid, const Touch& touch, double mu);
+  double friction_of(const ContactLink& link, std::uint32_t point, std::uint32_t master) const;
+
+  const Model& model_;
+  TotalLagrangian* total_;
+  UpdatedLagrangian* updated_;
+  int dimension_;
+  std::vector<ContactBody> bodies_;
+  std::vector<std::size_t> total_index_;  ///< per body: which of TotalLagrangian's
+  std::vector<ContactLink> links_;
+  std::vector<double> material_friction_;  ///< per pair of materials
+  std::vector<double> weights_;            ///< of a candidate's masters
+  std::vector<std::uint32_t> everything_;  ///< 0, 1, 2, ...
+  std::vector<std::uint32_t> pushed_;      ///< particles of updated-Lagrangian bodies, with forces
+  std::vector<Vec3> pushes_;
+  double margin_ = 0;          ///< of the lists, m
+  double allowed_ = 0;         ///< shift until they are made anew, m
+  std::vector<Vec3> net_;      ///< force on each body of the model as it stands, N
+  std::vector<Vec3> impulse_;  ///< since the last take_mean_force, N s
+  double elapsed_ = 0;
+  double last_step_ = 0, longest_step_ = 0;  ///< s
+  double stored_ = 0, friction_ = 0;
+};
+
+}  // namespace scarp

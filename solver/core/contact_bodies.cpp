@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Contact before the first step: who can meet whom.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "solver/core/contact.hpp"
+#include "solver/core/wave_speeds.hpp"
+#include "solver/model/error.hpp"
+
+namespace scarp {
+namespace {
+
+std::size_t index_of_material(const Model& model, const std::string& name) {
+  return static_cast<std::size_t>(std::find_if(model.materials.begin(), model.materials.end(),
+                                               [&](const NamedMaterial& m) { return m.name == name; }) -
+                                  model.materials.begin());
+}
+
+std::vector<double> friction_of_materials(const Model& model) {
+  const std::size_t count = model.materials.size();
+  std::vector<double> friction(count * count, model.contact.friction);
+  for (const ContactPairOptions& pair : model.contact.pairs) {
+    if (pair.materials.empty()) continue;
+    const std::size_t a = index_of_material(model, pair.materials[0]), b = index_of_material(model, pair.materials[1]);
+    friction[a * count + b] = friction[b * count + a] = pair.friction;
+  }
+  return friction;
+}
+
+std::optional<double> friction_of_bodies(const Model& model, std::int32_t a, std::int32_t b) {
+  std::optional<double> friction;
+  for (const ContactPairOptions& pair : model.contact.pairs) {
+    if (pair.bodies.empty()) continue;
+    const std::string &first = model.bodies[a].name, &second = model.bodies[b].name;
+    if ((pair.bodies[0] == first && pair.bodies[1] == second) || (pair.bodies[0] == second && pair.bodies[1] == first))
+      friction = pair.friction;
+  }
+  return friction;
+}
+
+}  // namespace
+
+Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* updated)
+    : model_(model),
+      total_(total),
+      updated_(updated),
+      dimension_(model.domain.dimension),
+      material_friction_(friction_of_materials(model)),
+      net_(model.bodies.size(), Vec3{0, 0, 0}),
+      impulse_(model.bodies.size(), Vec3{0, 0, 0}) {
+  std::size_t next = 0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (model.bodies[b].formulation == Formulation::total_lagrangian)
+      add_total_body(static_cast<std::int32_t>(b), next++);
+    else
+      add_updated_body(static_cast<std::int32_t>(b));
+  for (ContactBody& body : bodies_) {
+    size_buffers(body);
+    margin_ = std::max(margin_, body.spacing);
+  }
+  add_links();
+  make_lists();
+  for (ContactBody& body : bodies_) std::fill(body.moved.begin(), body.moved.end(), Vec3{0, 0, 0});
+  for (ContactLink& link : links_) find_forces(link);
+  refuse_overlap();
+}
+
+void Contact::add_total_body(std::int32_t index, std::size_t of_total) {
+  ContactBody body;
+  body.body = index;
+  body.total = true;
+  body.surface = find_contact_surface(model_, model_.bodies[index], total_->body(of_total));
+  if (body.surface.size() == 0)
+    throw Error("solve", "surface of body '" + model_.bodies[index].name + "'", "none found",
+                "at least two particles across every part, so that contact knows where the body ends");
+  body.spacing = body.surface.spacing;
+  body.area = body.surface.area;
+  body.mobility = body.surface.mobility;
+  body.radius.assign(body.size(), 0);
+  total_->prepare_contact(of_total, body.surface);
+  bodies_.push_back(std::move(body));
+  total_index_.push_back(of_total);
+}
+
+void Contact::add_updated_body(std::int32_t index) {
+  const Body& from = model_.bodies[index];
+  ContactBody body;
+  body.body = index;
+  body.begin = from.begin;
+  const std::size_t count = from.end - from.begin;
+  double volume = 0;
+  for (std::size_t p = from.begin; p < from.end; ++p) {
+    volume += model_.particles.reference_volume[p];
+    body.mobility.push_back(1 / model_.particles.mass[p]);
+  }
+  body.spacing = std::pow(volume / static_cast<double>(count), 1.0 / dimension_);
+  body.area.assign(count, 0);
+  body.radius.assign(count, 0);
+  bodies_.push_back(std::move(body));
+  total_index_.push_back(0);
+}
+
+void Contact::size_buffers(ContactBody& body) {
+  const std::size_t count = body.size();
+  for (auto* field : {&body.y, &body.n, &body.moved, &body.force}) field->assign(count, Vec3{0, 0, 0});
+  body.stiffness.assign(count, 0);
+  body.is_active.assign(count, 0);
+  body.active.reserve(count);
+  const std::vector<Vec2> speeds = material_wave_speeds(model_);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t p = body.total ? body.surface.particle[i] : body.begin + i;
+    const double c_p = wave_speeds_of(model_, speeds, p)[0];
+    body.modulus.push_back(model_.particles.mass[p] / model_.particles.reference_volume[p] * c_p * c_p);
+    body.material.push_back(model_.particles.material[p]);
+  }
+  if (everything_.size() < count) {
+    everything_.resize(count);
+    std::iota(everything_.begin(), everything_.end(), 0u);
+  }
+}
+
+void Contact::add_links() {
+  for (std::size_t a = 0; a < bodies_.size(); ++a)
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      if (a == b || !bodies_[b].total) continue;
+      ContactLink link;
+      link.slave = a;
+      link.master = b;
+      link.share = bodies_[a].total ? 0.5 : 1;
+      link.friction = friction_of_bodies(model_, bodies_[a].body, bodies_[b].body);
+      link.stretch.assign(bodies_[a].size(), Vec3{0, 0, 0});
+      link.touching.assign(bodies_[a].size(), 0);
+      links_.push_back(std::move(link));
+    }
+}
+
+/// Springs as deep as this would throw the bodies apart.
+void Contact::refuse_overlap() const {
+  for (const ContactLink& link : links_) {
+    const ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
+    for (std::uint32_t i : a.active) {
+      const double depth = a.stiffness[i] > 0 ? norm(a.force[i]) / a.stiffness[i] : 0;
+      const double most = 0.5 * std::min(a.spacing, b.spacing);
+      if (link.touching[i] && depth > most)
+        throw Error("solve",
+                    "depth by which bodies '" + model_.bodies[a.body].name + "' and '" + model_.bodies[b.body].name +
+                        "' overlap at the start",
+                    shortest(depth) + " m", "at most half the spacing of their particles, " + shortest(most) + " m");
+    }
+  }
+}
+
+}  // namespace scarp

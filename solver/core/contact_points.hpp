@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A ContactSurface as the nodes move it: y = Y + sum phi_I(Y) U_I, F = I + sum U_I (x) grad0 phi_I, where U_I sums up
+// dt v_I of the momenta mapped last. It is these that forces on nodes do work on (d/dt sum m_p v_p^2 / 2 = sum v_I f_I):
+// with the places of particles instead, which v~_I moves, a rebound of disks loses 3 % of its energy.
+#pragma once
+
+#include <algorithm>
+
+#include "solver/core/contact_surface.hpp"
+
+namespace scarp {
+
+/// Direction of F^-T N, the normal of a surface after the deformation F (Nanson), by cofactors: no division by det F.
+inline Vec3 current_normal(const Mat3& F, const Vec3& N) {
+  const Vec3 a{F[0], F[1], F[2]}, b{F[3], F[4], F[5]}, c{F[6], F[7], F[8]};
+  const Vec3 n{dot(cross(b, c), N), dot(cross(c, a), N), dot(cross(a, b), N)};
+  const double length = norm(n);
+  return length > 0 ? (1 / length) * n : N;
+}
+
+/// Place and normal of some points; other entries stay.
+/// @param U  U(node), m
+template <class Displacement>
+void locate_points(const ContactSurface& surface, const std::uint32_t* points, std::size_t count, Displacement&& U,
+                   std::vector<Vec3>& y, std::vector<Vec3>& n) {
+  const auto corners = static_cast<std::size_t>(surface.corners);
+  for (std::size_t j = 0; j < count; ++j) {
+    const std::uint32_t i = points[j];
+    Vec3 place = surface.Y[i];
+    Mat3 F = kIdentity;
+    for (std::size_t k = i * corners; k < (i + 1) * corners; ++k) {
+      const Vec3 u = U(surface.nodes[k]), &slope = surface.slopes[k];
+      place = place + surface.weights[k] * u;
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b) F[3 * a + b] += u[a] * slope[b];
+    }
+    y[i] = place;
+    n[i] = current_normal(F, surface.N[i]);
+  }
+}
+
+/// U of the surface's nodes.
+template <class Displacement>
+void anchor_points(const ContactSurface& surface, Displacement&& U, std::vector<Vec3>& anchor) {
+  anchor.resize(surface.distinct.size());
+  for (std::size_t i = 0; i < anchor.size(); ++i) anchor[i] = U(surface.distinct[i]);
+}
+
+/// The largest change since, m.
+template <class Displacement>
+double shift_of_points(const ContactSurface& surface, Displacement&& U, const std::vector<Vec3>& anchor) {
+  double square = 0;
+  for (std::size_t i = 0; i < anchor.size(); ++i) {
+    const Vec3 d = U(surface.distinct[i]) - anchor[i];
+    square = std::max(square, dot(d, d));
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace scarp

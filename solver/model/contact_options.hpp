@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/model/schema.hpp"
+
+namespace scarp {
+
+/// How bodies meet, beside updated-Lagrangian ones that share a grid and stick on it.
+enum class ContactMethod { none, penalty };
+template <>
+struct enum_names<ContactMethod> {
+  static constexpr std::array<std::pair<std::string_view, ContactMethod>, 2> value{
+      {{"none", ContactMethod::none}, {"penalty", ContactMethod::penalty}}};
+};
+
+/// Two bodies, or two materials, that rub in their own way.
+struct ContactPairOptions {
+  std::vector<std::string> bodies;
+  std::vector<std::string> materials;
+  double friction = 0;
+
+  template <class V>
+  void describe(V&& v) {
+    v("bodies", bodies, Spec{.text = "names of two bodies"});
+    v("materials", materials, Spec{.text = "instead: names of two materials, or of one twice; bodies come first"});
+    v("friction", friction, Spec{.text = "their Coulomb coefficient", .at_least = 0, .required = true});
+  }
+};
+
+struct ContactOptions {
+  ContactMethod method = ContactMethod::none;
+  double friction = 0;
+  double stiffness = 4;
+  std::vector<ContactPairOptions> pairs;
+
+  template <class V>
+  void describe(V&& v) {
+    v("method", method,
+      Spec{.text = "\"none\": total-Lagrangian bodies do not see each other, updated-Lagrangian ones meet and stick on "
+                   "their grid; \"penalty\": springs between the surfaces of total-Lagrangian bodies, and between them "
+                   "and updated-Lagrangian bodies (these still share their grid)"});
+    v("friction", friction, Spec{.text = "Coulomb coefficient", .at_least = 0});
+    v("stiffness", stiffness,
+      Spec{.text =
+               "of the springs: pressure per depth, as a multiple of the P-wave modulus of the softer body over the "
+               "spacing of the finer one's particles",
+           .above = 0});
+    v("pairs", pairs, Spec{.text = "pairs with a friction of their own"});
+  }
+};
+
+}  // namespace scarp

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bodies that meet (method.md 1.3 and section 3).
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "solver/core/run.hpp"
+#include "tests/support/lattice_seed.hpp"
+#include "tests/support/recording_sink.hpp"
+#include "tests/support/run_options.hpp"
+#include "tests/support/validation_table.hpp"
+
+namespace scarp {
+namespace {
+
+using std::numbers::pi;
+using test::output;
+using test::RecordingSink;
+using test::solver;
+using test::validate_near;
+using test::validate_within;
+
+struct Rebound {
+  RunReport report;
+  double least = 1, time_of_least = 0, most_stored = 0, parted = 0, after = 0, drift = 0;
+};
+
+/// Sulsky's disks, E = 1000, nu = 0.3, rho = 1000, v = 0.1, on grids of their own of n x n cells.
+Rebound rebound(int n, double courant) {
+  Model model = test::empty_model({0, 0, 0}, {1, 1, 0}, 1.0 / n);
+  const auto add = [&](const char* name, double centre, double v) {
+    test::seed_body(
+        model, name, NeoHookean{{1000, 1000, 0.3}}, 2,
+        [=](const Vec3& X) { return std::hypot(X[0] - centre, X[1] - centre) < 0.2; },
+        [=](const Vec3&) {
+          return Vec3{v, v, 0};
+        });
+  };
+  add("left", 0.2, 0.1);
+  add("right", 0.8, -0.1);
+  model.contact.method = ContactMethod::penalty;
+  RecordingSink sink;
+  Rebound r;
+  r.report = run(model, solver(3.5, {0, 0, 0}, courant), output(0.5, 0.005), sink, 1);
+  const double start = r.report.first.kinetic, momentum = start / 0.1;
+  double most_force = 0, count = 0;
+  for (const HistorySample& s : sink.samples) most_force = std::max(most_force, norm(s.contact_force[0]));
+  for (const HistorySample& s : sink.samples) {
+    if (s.kinetic / start < r.least) {
+      r.least = s.kinetic / start;
+      r.time_of_least = s.time;
+    }
+    r.most_stored = std::max(r.most_stored, (s.strain + s.contact) / start);
+    if (norm(s.contact_force[0]) > 0.1 * most_force) r.parted = s.time - 0.0025;  // a mean over 5 ms
+    r.drift = std::max(r.drift, norm(s.momentum) / momentum);
+    if (s.time < 2.6) continue;
+    r.after += s.kinetic / start;
+    ++count;
+  }
+  r.after /= count;
+  return r;
+}
+
+TEST(ContactDisks, ReboundWithinThePublishedBands) {
+  for (int n : {40, 80}) {
+    const Rebound r = rebound(n, 0.2);
+    ASSERT_FALSE(r.report.failed) << r.report.failure.what;
+    const std::string name = "TL disks in contact, " + std::to_string(n) + " cells: ";
+    validate_near(name + "least kinetic energy / initial", 0.058, r.least, 0.006, "limit of the mesh of unrelated codes");
+    validate_near(name + "its time, s", 2.09, r.time_of_least, 0.02, "the same");
+    validate_near(name + "largest strain energy, springs included / initial", 0.938, r.most_stored, 0.01, "the same");
+    validate_near(name + "mean kinetic energy after parting / initial", 0.89, r.after, 0.02,
+                  "the same; the rest is vibration");
+    validate_near(name + "last time with a tenth of the largest force, s", 2.59, r.parted, 0.02,
+                  "separation; after it the disks, which vibrate, patter");
+    validate_near(name + "momentum / that of one disk", 0, r.drift, 1e-12, "forces in pairs; rounding");
+    validate_near(name + "largest error of the total energy / initial", 0,
+                  r.report.largest_energy_error / r.report.first.total, 0.02, "springs and laws are elastic");
+  }
+}
+
+TEST(ContactDisks, HoldWithHalfAndTwiceTheStep) {
+  const Rebound r = rebound(40, 0.2);
+  for (double courant : {0.1, 0.4}) {
+    const Rebound other = rebound(40, courant);
+    ASSERT_FALSE(other.report.failed) << other.report.failure.what;
+    const std::string name = std::string("TL disks in contact, ") + (courant < 0.2 ? "half" : "twice") + " the step: ";
+    validate_near(name + "change of the least kinetic energy / initial", 0, other.least - r.least, 0.005,
+                  "the step is not part of the model");
+    validate_near(name + "change of its time, s", 0, other.time_of_least - r.time_of_least, 0.01, "the same");
+    validate_near(name + "change of the kinetic energy after parting / initial", 0, other.after - r.after, 0.01,
+                  "the same");
+    validate_near(name + "largest error of the total energy / initial", 0,
+                  other.report.largest_energy_error / other.report.first.total, 0.02, "springs and laws are elastic");
+  }
+}
+
+/// Weight comes over this time, s, so that nothing bounces: an impulse of half as much.
+constexpr double kRamp = 0.2;
+
+/// A block on a slab that is held, both total-Lagrangian, at `degrees`.
+struct Slide {
+  double speed = 0;    ///< / that without friction
+  double balance = 0;  ///< error of the energy / largest
+};
+Slide slide(double degrees, double mu) {
+  const double g = 9.81, angle = degrees * pi / 180, end = 0.5;
+  Model model = test::empty_model({0, 0, 0}, {4, 1.25, 0}, 0.125, {Condition::free, Condition::free, Condition::fixed});
+  test::seed_body(model, "slab", NeoHookean{{1000, 1e6, 0.3}}, 2, [](const Vec3& X) { return X[1] < 0.375; });
+  test::seed_body(model, "block", NeoHookean{{1000, 1e6, 0.3}}, 2, [](const Vec3& X) {
+    return X[0] > 0.5 && X[0] < 1.5 && X[1] > 0.375 && X[1] < 0.875;
+  });
+  model.contact.method = ContactMethod::penalty;
+  model.contact.friction = mu;
+  SolverOptions options = solver(end, {g * std::sin(angle), -g * std::cos(angle), 0});
+  options.gravity_ramp = kRamp;
+  RecordingSink sink;
+  const RunReport report = run(model, options, output(end, end / 50), sink, 1);
+  EXPECT_FALSE(report.failed) << report.failure.what;
+  double momentum = 0;
+  for (std::size_t p = model.bodies[1].begin; p < model.bodies[1].end; ++p)
+    momentum += model.particles.mass[p] * model.particles.velocity[p][0];
+  return {momentum / 500 / (g * std::sin(angle) * (end - kRamp / 2)), report.largest_energy_error / report.largest_energy};
+}
+
+TEST(ContactIncline, SlidesAndSticksAfterCoulomb) {
+  for (const auto& [degrees, mu] : {std::pair{5., 0.}, {30., 0.}, {30., 0.3}, {45., 0.3}, {45., 0.6}, {15., 0.1}}) {
+    const Slide s = slide(degrees, mu);
+    const std::string name = "TL block on TL incline, " + std::to_string(degrees).substr(0, degrees < 10 ? 1 : 2) +
+                             " degrees, mu = " + std::to_string(mu).substr(0, 3) + ": ";
+    validate_near(name + "speed / that without friction", 1 - mu / std::tan(degrees * pi / 180), s.speed, 0.015,
+                  "Coulomb");
+    validate_near(name + "error of the energy / largest", 0, s.balance, 0.02, "all that is lost is counted");
+  }
+  for (const auto& [degrees, mu] : {std::pair{30., 0.7}, {5., 0.2}, {40., 1.}}) {
+    const Slide s = slide(degrees, mu);
+    const std::string name = "TL block on TL incline, " + std::to_string(degrees).substr(0, degrees < 10 ? 1 : 2) +
+                             " degrees, mu = " + std::to_string(mu).substr(0, 3) + ": ";
+    validate_near(name + "creep / free slide", 0, s.speed, 0.01, "sticks; what is left is the swing of block and springs");
+  }
+}
+
+/// A stiff disk on an inclined slab. Rolls where tan < 3 mu, else slides.
+TEST(ContactRolling, OfADiskIsThatOfARigidOne) {
+  const double g = 9.81, end = 0.5, R = 0.5;
+  for (const auto& [degrees, mu] : {std::pair{45., 1.}, {30., 0.1}, {45., 0.2}}) {
+    const double angle = degrees * pi / 180;
+    Model model = test::empty_model({0, 0, 0}, {5, 1.75, 0}, 0.03125, {Condition::free, Condition::free, Condition::fixed});
+    const double floor = 0.25;
+    test::seed_body(model, "slab", NeoHookean{{1000, 1e7, 0.3}}, 2, [&](const Vec3& X) { return X[1] < floor; });
+    test::seed_body(model, "disk", NeoHookean{{1000, 1e7, 0.3}}, 2, [&](const Vec3& X) {
+      return std::hypot(X[0] - 1, X[1] - floor - R) < R;
+    });
+    model.contact.method = ContactMethod::penalty;
+    model.contact.friction = mu;
+    SolverOptions options = solver(end, {g * std::sin(angle), -g * std::cos(angle), 0});
+    options.gravity_ramp = kRamp;
+    RecordingSink sink;
+    const RunReport report = run(model, options, output(end, end / 10), sink, 1);
+    ASSERT_FALSE(report.failed) << report.failure.what;
+    double mass = 0;
+    Vec3 momentum{0, 0, 0}, centre{0, 0, 0};
+    const Particles& p = model.particles;
+    for (std::size_t i = model.bodies[1].begin; i < model.bodies[1].end; ++i) {
+      mass += p.mass[i];
+      momentum = momentum + p.mass[i] * p.velocity[i];
+      centre = centre + p.mass[i] * p.position[i];
+    }
+    centre = (1 / mass) * centre;
+    double spin = 0, inertia = 0;
+    for (std::size_t i = model.bodies[1].begin; i < model.bodies[1].end; ++i) {
+      const Vec3 r = p.position[i] - centre;
+      spin -= p.mass[i] * cross(r, p.velocity[i])[2];
+      inertia += p.mass[i] * dot(r, r);
+    }
+    const bool rolls = std::tan(angle) < 3 * mu;
+    const double a = rolls ? 2.0 / 3 * g * std::sin(angle) : g * (std::sin(angle) - mu * std::cos(angle));
+    const double turning = rolls ? a / R : 2 * mu * g * std::cos(angle) / R;
+    const std::string name = "TL disk on TL incline, " + std::to_string(degrees).substr(0, 2) +
+                             " degrees, mu = " + std::to_string(mu).substr(0, 3) + ": ";
+    validate_near(name + "acceleration / exact", 1, momentum[0] / mass / (a * (end - kRamp / 2)), rolls ? 0.05 : 0.01,
+                  rolls ? "rolls: 2/3 g sin; the rim of a lattice has facets" : "slides: g (sin - mu cos)");
+    // A little friction does not turn it over its rim's facets.
+    if (rolls)
+      validate_near(name + "spin / exact", 1, spin / inertia / (turning * (end - kRamp / 2)), 0.06, "of the same motion");
+  }
+}
+
+}  // namespace
+}  // namespace scarp
