@@ -76,6 +76,7 @@ struct CompareOptions {
   std::optional<std::string> before;
   FootprintOptions footprint;
   std::vector<Vec2> section;
+  bool pictures = true;
   CompareTolerance tolerance;
 
   template <class V>
@@ -114,6 +115,8 @@ struct CompareOptions {
       Spec{.text = "corners of a line in plan along which both surfaces are cut; dod only",
            .unit = "m",
            .role = Role::position});
+    v("pictures", pictures,
+      Spec{.text = "also draw the results: map and histogram of the differences, footprints, section"});
     v("tolerance", tolerance, Spec{.text = "limits whose excess ends the program with exit code 4"});
   }
 };

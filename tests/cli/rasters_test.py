@@ -42,6 +42,10 @@ class Rasters(unittest.TestCase):
         self.assertIsNone(report["volumes"]["net_sigma_correlated_m3"])
         self.assertEqual(report["significance"]["significant_cells"], 2)
         self.assertIn("-9999", (self.out / "r_difference.asc").read_text())
+        self.assertTrue((self.out / "r_difference.png").exists())
+        (self.out / "r_difference.png").unlink()
+        self.compare(low, high, "--method", "dod", "--pictures=false")
+        self.assertFalse((self.out / "r_difference.png").exists())
 
     def test_what_cannot_be_compared(self):
         a = grid(self.out / "a.asc", [[1, 1], [1, 1]])
@@ -71,6 +75,8 @@ class Rasters(unittest.TestCase):
             removed = self.compare(first, second, "--method", "dod", "--ground", "automatic", "--remove-bias")
             self.assertAlmostEqual(removed["volumes"]["net_m3"], volumes["net_m3"] - 202500 * stable["bias_m"], delta=1)
         rows = (self.out / "r_section.csv").read_text().splitlines()
+        for picture in ("difference", "histogram", "section"):
+            self.assertTrue((self.out / f"r_{picture}.png").read_bytes().startswith(b"\x89PNG"), picture)
         self.assertEqual(rows[0], "s,x,y,simulated,observed,difference")
         self.assertEqual(len(rows), 1192)
 

@@ -102,6 +102,7 @@ SurfaceComparison compare_surfaces(const SurfacePair& pair, const CompareOptions
                   options, result);
   if (!options.section.empty())
     result.section = cut_section(pair.simulated, pair.observed, PlanPath(options.section), 0.5 * pair.simulated.cell);
+  result.ground = pair.observed;
   return result;
 }
 
@@ -114,6 +115,7 @@ SurfaceComparison compare_thickness(const SurfacePair& pair, const CompareOption
        "How each raster of thickness came onto the cells; cells without data have no thickness.",
        {{"simulated", pair.simulated_gridding}, {"observed", pair.observed_gridding}}});
   add_footprint(pair.simulated, pair.observed, pair.before ? &*pair.before : nullptr, options, result);
+  result.ground = pair.before;
   return result;
 }
 

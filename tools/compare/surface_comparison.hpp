@@ -31,7 +31,8 @@ struct SurfaceComparison {
   std::optional<DodResult> dod;
   std::optional<FootprintResult> footprint;
   std::optional<Section> section;
-  std::optional<PlanPath> path;  ///< along which run-out was measured
+  std::optional<PlanPath> path;       ///< along which run-out was measured
+  std::optional<Heightfield> ground;  ///< observed heights or the ground before, for a picture's shading
 };
 
 /// DEM of difference with volumes; with `before` also the footprints of both (where a surface differs from it by more

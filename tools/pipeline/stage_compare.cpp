@@ -16,6 +16,7 @@
 #include "tools/compare/per_point_csv.hpp"
 #include "tools/compare/tolerance.hpp"
 #include "tools/pipeline/compared_cloud.hpp"
+#include "tools/pipeline/comparison_pictures.hpp"
 #include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_artefacts.hpp"
@@ -29,13 +30,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void write_comparison(const std::filesystem::path& stem, const Comparison& result) {
+void write_numbers(const std::filesystem::path& stem, const Comparison& result) {
   write_json(stem.string() + ".json", to_json(result.report));
   for (const NamedRaster& raster : result.rasters)
     write_raster(stem.string() + "_" + raster.name + ".asc", raster.raster);
   if (result.cloud.empty()) return;
   write_whole(stem.string() + ".csv", per_point_csv(result.cloud));
   write_las(stem.string() + ".las", result.cloud);
+}
+
+void write_comparison(const std::filesystem::path& stem, const Comparison& result, const CompareOptions& options) {
+  write_numbers(stem, result);
+  if (options.pictures) write_pictures(stem, result, nullptr, nullptr);
 }
 
 /// Both sides, the mask of stable ground and the ground before on the same cells.
@@ -49,9 +55,13 @@ SurfaceComparison on_same_cells(SurfaceSources sources, CompareOptions options, 
   return options.method == CompareMethod::dod ? compare_surfaces(pair, options) : compare_thickness(pair, options);
 }
 
-void write_comparison(const std::filesystem::path& stem, const SurfaceComparison& result) {
-  write_comparison(stem, result.comparison);
+void write_comparison(const std::filesystem::path& stem, const SurfaceComparison& result,
+                      const CompareOptions& options) {
+  write_numbers(stem, result.comparison);
   if (result.section) write_whole(stem.string() + "_section.csv", section_csv(*result.section));
+  if (options.pictures)
+    write_pictures(stem, result.comparison, result.ground ? &*result.ground : nullptr,
+                   result.section ? &*result.section : nullptr);
 }
 
 bool by_rasters(const CompareOptions& options) {
@@ -102,7 +112,7 @@ TriangleMesh read_metric_mesh(const DirectComparison& request) {
 }
 
 ComparisonReport finish(const Comparison& result, const DirectComparison& request, Outcome& outcome) {
-  write_comparison(request.output / request.options.name, result);
+  write_comparison(request.output / request.options.name, result, request.options);
   within_tolerance(result.report, request.options.tolerance, &outcome.exceeded);
   return result.report;
 }
@@ -134,7 +144,7 @@ ComparisonReport compare_as_clouds(const Project& project, const CompareOptions&
   const Comparison result = compare_clouds(compared(frame, project.threads),
                                            {read_cleaned_scan(project, options.observed, site), "scan, cleaned", 0, {}},
                                            options, HeightUnit::metre, project.threads);
-  write_comparison(project.artefacts.compared(options.name, ""), result);
+  write_comparison(project.artefacts.compared(options.name, ""), result, options);
   return result.report;
 }
 
@@ -146,7 +156,7 @@ ComparisonReport compare_as_rasters(const Project& project, const CompareOptions
   SurfaceSources sources{std::move(frame), read_cleaned_scan(project, options.observed, site), {}, {}};
   if (options.before) sources.before = read_cleaned_scan(project, *options.before, site);
   const SurfaceComparison result = on_same_cells(std::move(sources), options, project.threads);
-  write_comparison(project.artefacts.compared(options.name, ""), result);
+  write_comparison(project.artefacts.compared(options.name, ""), result, options);
   return result.comparison.report;
 }
 
@@ -164,7 +174,7 @@ ComparisonReport compare_files_as_rasters(const DirectComparison& request, int t
   }
   require_same_crs(names, crs);
   const SurfaceComparison result = on_same_cells(std::move(sources), request.options, threads);
-  write_comparison((request.output / request.options.name).string(), result);
+  write_comparison((request.output / request.options.name).string(), result, request.options);
   return result.comparison.report;
 }
 
@@ -199,8 +209,8 @@ ComparisonReport compare_files(const DirectComparison& request, int threads, Out
   if (request.options.m3c2.core_points) inputs.emplace_back(request.options.m3c2.core_points->path);
   if (request.options.before) inputs.emplace_back(*request.options.before);
   if (request.options.dod.stable.mask) inputs.emplace_back(request.options.dod.stable.mask->path);
-  for (const char* extension :
-       {".csv", ".json", ".las", "_difference.asc", "_level_of_detection.asc", "_footprint.asc", "_section.csv"})
+  for (const char* extension : {".csv", ".json", ".las", "_difference.asc", "_level_of_detection.asc", "_footprint.asc",
+                                "_section.csv", "_difference.png", "_histogram.png", "_footprint.png", "_section.png"})
     for (const std::filesystem::path& input : inputs) refuse_to_overwrite(input, stem + extension);
   if (by_rasters(request.options)) {
     const ComparisonReport report = compare_files_as_rasters(request, threads);

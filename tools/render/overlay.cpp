@@ -101,6 +101,15 @@ void draw_header(Canvas& canvas, const Layout& layout, const std::string& title,
   canvas.text(shorten(canvas, title, size, room, true), {left, baseline}, size, kInk, Align::left, true);
 }
 
+void draw_swatch(Canvas& canvas, const Layout& layout, double y, const Rgb8& colour, const std::string& text) {
+  const double f = layout.font, x = layout.column.left + 0.9 * f;
+  const PixelRect box{pixels(x), pixels(y), pixels(1.1 * f), pixels(0.9 * f)};
+  canvas.fill(box, colour);
+  canvas.outline(box, 1, kInk);
+  const double room = layout.column.right() - x - 1.8 * f;
+  canvas.text(shorten(canvas, text, f, room), {x + 1.6 * f, y + 0.8 * f}, f, kInk);
+}
+
 namespace {
 
 /// A triangle at an end of the bar: there are values beyond it.
@@ -134,15 +143,6 @@ void draw_bar(Canvas& canvas, const ColourKey& key, const PixelRect& bar, double
     draw_if_fits(canvas, format_number(v, key.ticks.decimals), {bar.right() + 0.6 * font, y + 0.36 * font}, font, right,
                  kInk);
   }
-}
-
-void draw_swatch(Canvas& canvas, const Layout& layout, double y, const Rgb8& colour, const std::string& text) {
-  const double f = layout.font, x = layout.column.left + 0.9 * f;
-  const PixelRect box{pixels(x), pixels(y), pixels(1.1 * f), pixels(0.9 * f)};
-  canvas.fill(box, colour);
-  canvas.outline(box, 1, kInk);
-  const double room = layout.column.right() - x - 1.8 * f;
-  canvas.text(shorten(canvas, text, f, room), {x + 1.6 * f, y + 0.8 * f}, f, kInk);
 }
 
 /// Draws the lines of the title and returns where the next thing may begin.

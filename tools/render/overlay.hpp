@@ -41,6 +41,8 @@ struct FrameRange {
 
 void draw_header(Canvas& canvas, const Layout& layout, const std::string& title, const std::string& time, int width);
 void draw_colour_key(Canvas& canvas, const Layout& layout, const ColourKey& key, const FrameRange& frame);
+/// A box of a colour at height y of the column, with a text.
+void draw_swatch(Canvas& canvas, const Layout& layout, double y, const Rgb8& colour, const std::string& text);
 /// Scale bar at the lower left, remarks at the lower right.
 void draw_footer(Canvas& canvas, const Layout& layout, const ScaleBar& bar, const std::string& remarks, int height);
 /// The world's axes as seen, at the foot of the column; E, N and z where the site is georeferenced.

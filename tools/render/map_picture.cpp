@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/render/map_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/model/error.hpp"
+#include "tools/render/overlay.hpp"
+#include "tools/render/overlay_style.hpp"
+
+namespace scarp {
+namespace {
+
+constexpr double kFont = 18;
+constexpr int kWidth = 1400, kColumn = 260, kHighest = 900;
+constexpr double kQuiet = 208;  ///< grey of ground that did not change
+constexpr Rgb8 kClasses[] = {{0, 114, 178}, {230, 159, 0}, {130, 38, 98}};
+
+/// Blue, white, red; as dark at both ends, so that a grey print shows the size of a difference.
+std::array<Rgb8, 256> diverging_table() {
+  constexpr double nodes[5][3] = {{24, 62, 120}, {104, 156, 204}, {246, 246, 244}, {222, 138, 98}, {132, 28, 38}};
+  std::array<Rgb8, 256> table;
+  for (int i = 0; i < 256; ++i) {
+    const double t = i / 255.0 * 4;
+    const int node = std::min(3, static_cast<int>(t));
+    for (int c = 0; c < 3; ++c)
+      table[i][c] =
+          static_cast<std::uint8_t>(std::lround(nodes[node][c] + (t - node) * (nodes[node + 1][c] - nodes[node][c])));
+  }
+  return table;
+}
+
+/// Brightness of ground lit from the north-west, 1 on the level.
+double hillshade(const Heightfield* ground, int column, int row) {
+  if (!ground) return 1;
+  const auto slope = [&](int dc, int dr) {
+    const int c0 = std::max(0, column - dc), c1 = std::min(ground->columns - 1, column + dc);
+    const int r0 = std::max(0, row - dr), r1 = std::min(ground->rows - 1, row + dr);
+    const int steps = (c1 - c0) + (r1 - r0);
+    return steps > 0 ? (ground->at(c1, r1) - ground->at(c0, r0)) / (steps * ground->cell) : 0.0;
+  };
+  const double p = slope(1, 0), q = slope(0, 1);
+  const double light = (1 + (p - q) * std::sqrt(0.5)) / std::sqrt(1 + p * p + q * q);
+  return std::isnan(light) ? 1 : std::clamp(0.5 + 0.5 * light, 0.6, 1.08);
+}
+
+Rgb8 lit(const Rgb& colour, double light) {
+  Rgb8 pixel;
+  for (int c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>(std::clamp(colour[c] * light, 0.0, 255.0));
+  return pixel;
+}
+
+Rgb as_float(const Rgb8& c) { return {float(c[0]), float(c[1]), float(c[2])}; }
+
+/// A picture whose plot fits the cells to scale.
+struct Sheet {
+  Picture picture;
+  Layout layout;
+  Camera camera;
+  const Heightfield& cells;
+
+  /// `lines` of text at least high, for the key.
+  Sheet(const Heightfield& field, double lines) : cells(field) {
+    const double wide = field.columns * field.cell, high = field.rows * field.cell, f = kFont;
+    const int left = pixels(6.2 * f), top = pixels(4.2 * f), bottom = pixels(6.0 * f);
+    const double room = kWidth - kColumn - left;
+    camera.scale = std::min(room / wide, kHighest / high);
+    const int plot_width = std::max(1, pixels(wide * camera.scale)),
+              plot_height = std::max(1, pixels(high * camera.scale));
+    const int height = std::max(pixels(lines * f), plot_height) + top + bottom;
+    picture = {kWidth, height, std::vector<Rgb8>(static_cast<std::size_t>(kWidth) * height, kPaper)};
+    layout.font = f;
+    layout.plot = {left + pixels((room - plot_width) / 2), top + (height - top - bottom - plot_height) / 2, plot_width,
+                   plot_height};
+    layout.column = {layout.plot.right(), top, kWidth - layout.plot.right(), height - top - bottom};
+    camera.x = layout.plot.left;
+    camera.y = layout.plot.bottom();
+    camera.centre = {field.x0 - 0.5 * field.cell, field.y0 - 0.5 * field.cell, 0};
+  }
+
+  /// Colours each pixel by colour(column, row, x, y).
+  template <class F>
+  void paint(F&& colour) {
+    const PixelRect& plot = layout.plot;
+    for (int y = plot.top; y < plot.bottom(); ++y)
+      for (int x = plot.left; x < plot.right(); ++x) {
+        const int column =
+            std::min(cells.columns - 1, static_cast<int>((x + 0.5 - plot.left) / plot.width * cells.columns));
+        const int row =
+            std::min(cells.rows - 1, static_cast<int>((plot.bottom() - y - 0.5) / plot.height * cells.rows));
+        picture.at(x, y) = colour(column, row, x, y);
+      }
+  }
+
+  void frame(Canvas& canvas, const std::string& title, const std::string& remarks) {
+    draw_header(canvas, layout, title, "", picture.width);
+    draw_axes_box(canvas, layout, camera, cells.site.origin, "");
+    draw_footer(canvas, layout, choose_scale_bar(camera.scale, 0.25 * layout.plot.width), "", picture.height);
+    const double right = picture.width - layout.font;
+    const double room = right - layout.plot.left - 0.25 * layout.plot.width - 6 * layout.font;
+    canvas.text(shorten(canvas, remarks, layout.font, room), {right, picture.height - 0.95 * layout.font}, layout.font,
+                kInk, Align::right);
+    draw_triad(canvas, layout, ViewAxes{}, !cells.site.crs.empty());
+  }
+};
+
+Rgb8 hatched(double light, int x, int y) {
+  const double grey = ((x + y) % 9) < 2 ? kQuiet - 42 : kQuiet;
+  return lit({float(grey), float(grey), float(grey)}, light);
+}
+
+/// The next of 1, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten.
+double rounded_up(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  for (double m : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (m * power >= value * (1 - 1e-9)) return m * power;
+  return 10 * power;
+}
+
+ColourKey key_of(const Heightfield& difference, const std::string& label, FrameRange& range) {
+  std::vector<double> sizes;
+  for (double d : difference.z) {
+    if (std::isnan(d)) continue;
+    sizes.push_back(std::abs(d));
+    range.low = range.any ? std::min(range.low, d) : d;
+    range.high = range.any ? std::max(range.high, d) : d;
+    range.any = true;
+  }
+  if (sizes.empty()) throw Error("render", "a map without data", "0 cells", "at least 1");
+  const auto rank = sizes.begin() + static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), rank, sizes.end());
+  const double end = *rank > 0 ? rounded_up(*rank) : 1;
+  ColourKey key;
+  key.label = label;
+  key.unit = display_unit("m", end);
+  key.scale = {-end, end, 0, std::nullopt, 0, diverging_table()};
+  key.ticks = nice_ticks(-end * key.unit.factor, end * key.unit.factor, 9);
+  key.below = range.low < -end;
+  key.above = range.high > end;
+  return key;
+}
+
+}  // namespace
+
+Picture draw_difference_map(const DifferenceMap& map) {
+  const Heightfield& d = *map.difference;
+  FrameRange range;
+  const ColourKey key = key_of(d, map.label, range);
+  Sheet sheet(d, 34);
+  bool quiet = false;
+  sheet.paint([&](int column, int row, int x, int y) {
+    const double v = d.at(column, row);
+    if (std::isnan(v)) return kPaper;
+    const double light = hillshade(map.ground, column, row);
+    const bool significant = !map.level_of_detection || std::abs(v) > map.level_of_detection->at(column, row);
+    quiet |= !significant;
+    return significant ? lit(key.scale(v), light) : hatched(light, x, y);
+  });
+  Canvas canvas(sheet.picture);
+  sheet.frame(canvas, map.title, map.remarks);
+  draw_colour_key(canvas, sheet.layout, key, range);
+  if (quiet) {
+    const double f = sheet.layout.font, y = sheet.layout.column.top + 27 * f, x = sheet.layout.column.left + 0.9 * f;
+    const PixelRect box{pixels(x), pixels(y), pixels(1.1 * f), pixels(0.9 * f)};
+    for (int v = box.top; v < box.bottom(); ++v)
+      for (int u = box.left; u < box.right(); ++u) sheet.picture.at(u, v) = hatched(1, u, v);
+    canvas.outline(box, 1, kInk);
+    canvas.text("not significant", {x + 1.6 * f, y + 0.8 * f}, f, kInk);
+  }
+  return std::move(sheet.picture);
+}
+
+Picture draw_footprint_map(const FootprintMap& map) {
+  const Heightfield& cells = *map.cells;
+  Sheet sheet(cells, 12);
+  sheet.paint([&](int column, int row, int, int) {
+    const double v = cells.at(column, row);
+    const double light = hillshade(map.ground, column, row);
+    if (v >= 1 && v <= 3) return lit(as_float(kClasses[static_cast<int>(v) - 1]), light);
+    return lit({235, 234, 230}, light);
+  });
+  Canvas canvas(sheet.picture);
+  sheet.frame(canvas, map.title, map.remarks);
+  const double f = sheet.layout.font;
+  const char* const names[] = {"both", "simulated only", "observed only"};
+  for (int k = 0; k < 3; ++k)
+    draw_swatch(canvas, sheet.layout, sheet.layout.column.top + 1.6 * k * f, kClasses[k], names[k]);
+  return std::move(sheet.picture);
+}
+
+}  // namespace scarp

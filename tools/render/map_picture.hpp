@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The scarp developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Maps of what two surfaces have to do with each other: seen from above, to scale, in metres of the site.
+#pragma once
+
+#include <string>
+
+#include "solver/model/heightfield.hpp"
+#include "solver/model/image.hpp"
+
+namespace scarp {
+
+/// Differences in colours from blue (below 0) by white to red, the same length on either side of 0: the 98th percentile
+/// of their sizes, rounded outwards. Cells within their level of detection are hatched grey, cells without data white.
+struct DifferenceMap {
+  const Heightfield* difference = nullptr;          ///< m
+  const Heightfield* level_of_detection = nullptr;  ///< m, same cells; nullptr: everything counts
+  const Heightfield* ground = nullptr;              ///< heights for the shading, same cells; may be nullptr
+  std::string title;
+  std::string label;    ///< of the colours, without the unit
+  std::string remarks;  ///< below the map
+};
+/// @throws Error ("render") for a raster without data
+Picture draw_difference_map(const DifferenceMap& map);
+
+/// Where two footprints meet: 1 both, 2 simulated only, 3 observed only, else the shaded ground.
+struct FootprintMap {
+  const Heightfield* cells = nullptr;
+  const Heightfield* ground = nullptr;  ///< same cells; may be nullptr
+  std::string title, remarks;
+};
+Picture draw_footprint_map(const FootprintMap& map);
+
+}  // namespace scarp
