@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A ContactSurface as the nodes move it: y = Y + sum phi_I(Y) U_I, F = I + sum U_I (x) grad0 phi_I, where U_I sums up
-// dt v_I of the momenta mapped last. It is these that forces on nodes do work on (d/dt sum m_p v_p^2 / 2 = sum v_I f_I):
-// with the places of particles instead, which v~_I moves, a rebound of disks loses 3 % of its energy.
+// dt v_I of the momenta mapped last. It is these that forces on nodes do work on (d/dt sum m_p v_p^2 / 2 = sum v_I
+// f_I): with the places of particles instead, which v~_I moves, a rebound of disks loses 3 % of its energy.
 #pragma once
 
 #include <algorithm>

@@ -50,6 +50,8 @@ struct CompareTolerance {
   std::optional<double> median;
   std::optional<double> percentile_95;
   std::optional<double> largest;
+  std::optional<double> net_volume;
+  std::optional<double> iou;
 
   template <class V>
   void describe(V&& v) {
@@ -58,6 +60,12 @@ struct CompareTolerance {
     v("percentile_95", percentile_95,
       Spec{.text = "largest 95th percentile of the distances' absolute values", .unit = "m", .at_least = 0});
     v("largest", largest, Spec{.text = "largest single distance", .unit = "m", .at_least = 0});
+    v("net_volume", net_volume,
+      Spec{.text = "method dod: largest net volume of difference, whatever its sign", .unit = "m3", .at_least = 0});
+    v("iou", iou,
+      Spec{.text = "least overlap of the footprints, intersection over union (footprint, or dod with before)",
+           .at_least = 0,
+           .at_most = 1});
   }
 };
 

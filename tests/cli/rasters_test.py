@@ -47,6 +47,18 @@ class Rasters(unittest.TestCase):
         self.compare(low, high, "--method", "dod", "--pictures=false")
         self.assertFalse((self.out / "r_difference.png").exists())
 
+    def test_tolerances(self):
+        low = grid(self.out / "low.asc", [[1, 1], [1, 1]])
+        high = grid(self.out / "high.asc", [[1.5, 1], [1, 1]])
+        for limit, code in (("0.6", 0), ("0.4", 4)):
+            run = Run("compare", low, high, "--method", "dod", "--tolerance-net-volume", limit, "-o", self.out / "t")
+            self.assertEqual(run.code, code, run)
+        self.assertIn("outside tolerance", run.err)
+        run = Run("compare", low, high, "--method", "footprint", "--tolerance-iou", 0.9, "--threshold", 1.2, "-o",
+                  self.out / "t")
+        self.assertEqual(run.code, 4, run)
+        self.assertIn("overlap of the footprints (IoU) is 0", run.err)
+
     def test_what_cannot_be_compared(self):
         a = grid(self.out / "a.asc", [[1, 1], [1, 1]])
         far = grid(self.out / "far.asc", [[1, 1], [1, 1]], x=1000)

@@ -68,7 +68,8 @@ TEST(ContactDisks, ReboundWithinThePublishedBands) {
     const Rebound r = rebound(n, 0.2);
     ASSERT_FALSE(r.report.failed) << r.report.failure.what;
     const std::string name = "TL disks in contact, " + std::to_string(n) + " cells: ";
-    validate_near(name + "least kinetic energy / initial", 0.058, r.least, 0.006, "limit of the mesh of unrelated codes");
+    validate_near(name + "least kinetic energy / initial", 0.058, r.least, 0.006,
+                  "limit of the mesh of unrelated codes");
     validate_near(name + "its time, s", 2.09, r.time_of_least, 0.02, "the same");
     validate_near(name + "largest strain energy, springs included / initial", 0.938, r.most_stored, 0.01, "the same");
     validate_near(name + "mean kinetic energy after parting / initial", 0.89, r.after, 0.02,
@@ -109,9 +110,8 @@ Slide slide(double degrees, double mu) {
   const double g = 9.81, angle = degrees * pi / 180, end = 0.5;
   Model model = test::empty_model({0, 0, 0}, {4, 1.25, 0}, 0.125, {Condition::free, Condition::free, Condition::fixed});
   test::seed_body(model, "slab", NeoHookean{{1000, 1e6, 0.3}}, 2, [](const Vec3& X) { return X[1] < 0.375; });
-  test::seed_body(model, "block", NeoHookean{{1000, 1e6, 0.3}}, 2, [](const Vec3& X) {
-    return X[0] > 0.5 && X[0] < 1.5 && X[1] > 0.375 && X[1] < 0.875;
-  });
+  test::seed_body(model, "block", NeoHookean{{1000, 1e6, 0.3}}, 2,
+                  [](const Vec3& X) { return X[0] > 0.5 && X[0] < 1.5 && X[1] > 0.375 && X[1] < 0.875; });
   model.contact.method = ContactMethod::penalty;
   model.contact.friction = mu;
   SolverOptions options = solver(end, {g * std::sin(angle), -g * std::cos(angle), 0});
@@ -122,7 +122,8 @@ Slide slide(double degrees, double mu) {
   double momentum = 0;
   for (std::size_t p = model.bodies[1].begin; p < model.bodies[1].end; ++p)
     momentum += model.particles.mass[p] * model.particles.velocity[p][0];
-  return {momentum / 500 / (g * std::sin(angle) * (end - kRamp / 2)), report.largest_energy_error / report.largest_energy};
+  return {momentum / 500 / (g * std::sin(angle) * (end - kRamp / 2)),
+          report.largest_energy_error / report.largest_energy};
 }
 
 TEST(ContactIncline, SlidesAndSticksAfterCoulomb) {
@@ -138,7 +139,8 @@ TEST(ContactIncline, SlidesAndSticksAfterCoulomb) {
     const Slide s = slide(degrees, mu);
     const std::string name = "TL block on TL incline, " + std::to_string(degrees).substr(0, degrees < 10 ? 1 : 2) +
                              " degrees, mu = " + std::to_string(mu).substr(0, 3) + ": ";
-    validate_near(name + "creep / free slide", 0, s.speed, 0.01, "sticks; what is left is the swing of block and springs");
+    validate_near(name + "creep / free slide", 0, s.speed, 0.01,
+                  "sticks; what is left is the swing of block and springs");
   }
 }
 
@@ -147,12 +149,12 @@ TEST(ContactRolling, OfADiskIsThatOfARigidOne) {
   const double g = 9.81, end = 0.5, R = 0.5;
   for (const auto& [degrees, mu] : {std::pair{45., 1.}, {30., 0.1}, {45., 0.2}}) {
     const double angle = degrees * pi / 180;
-    Model model = test::empty_model({0, 0, 0}, {5, 1.75, 0}, 0.03125, {Condition::free, Condition::free, Condition::fixed});
+    Model model =
+        test::empty_model({0, 0, 0}, {5, 1.75, 0}, 0.03125, {Condition::free, Condition::free, Condition::fixed});
     const double floor = 0.25;
     test::seed_body(model, "slab", NeoHookean{{1000, 1e7, 0.3}}, 2, [&](const Vec3& X) { return X[1] < floor; });
-    test::seed_body(model, "disk", NeoHookean{{1000, 1e7, 0.3}}, 2, [&](const Vec3& X) {
-      return std::hypot(X[0] - 1, X[1] - floor - R) < R;
-    });
+    test::seed_body(model, "disk", NeoHookean{{1000, 1e7, 0.3}}, 2,
+                    [&](const Vec3& X) { return std::hypot(X[0] - 1, X[1] - floor - R) < R; });
     model.contact.method = ContactMethod::penalty;
     model.contact.friction = mu;
     SolverOptions options = solver(end, {g * std::sin(angle), -g * std::cos(angle), 0});
@@ -184,7 +186,8 @@ TEST(ContactRolling, OfADiskIsThatOfARigidOne) {
                   rolls ? "rolls: 2/3 g sin; the rim of a lattice has facets" : "slides: g (sin - mu cos)");
     // A little friction does not turn it over its rim's facets.
     if (rolls)
-      validate_near(name + "spin / exact", 1, spin / inertia / (turning * (end - kRamp / 2)), 0.06, "of the same motion");
+      validate_near(name + "spin / exact", 1, spin / inertia / (turning * (end - kRamp / 2)), 0.06,
+                    "of the same motion");
   }
 }
 

@@ -117,16 +117,6 @@ ComparisonReport finish(const Comparison& result, const DirectComparison& reques
   return result.report;
 }
 
-/// A number of a report, or nothing where the report has none of that name.
-std::optional<double> find_number(const ComparisonReport& report, const std::string& group,
-                                  const std::string& measure) {
-  for (const MeasureGroup& g : report.groups)
-    for (const Measure& m : g.measures)
-      if (g.name == group && m.name == measure)
-        if (const double* value = std::get_if<double>(&m.value)) return *value;
-  return std::nullopt;
-}
-
 std::string distance_phrase(const DistanceReport& report) {
   char text[256];
   if (report.matched == 0)

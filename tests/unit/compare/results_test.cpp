@@ -30,14 +30,16 @@ ComparisonReport sample_report() {
 TEST(Tolerance, NoLimitIsNeverExceeded) { EXPECT_TRUE(within_tolerance(sample_report(), {}, nullptr)); }
 
 TEST(Tolerance, TheLimitItselfIsWithin) {
-  const CompareTolerance exact{.mean = 0.3, .median = 0.2, .percentile_95 = 0.9, .largest = 1.5};
+  const CompareTolerance exact{
+      .mean = 0.3, .median = 0.2, .percentile_95 = 0.9, .largest = 1.5, .net_volume = {}, .iou = {}};
   std::vector<std::string> exceeded;
   EXPECT_TRUE(within_tolerance(sample_report(), exact, &exceeded));
   EXPECT_TRUE(exceeded.empty());
 }
 
 TEST(Tolerance, EachExcessIsNamed) {
-  const CompareTolerance tight{.mean = 0.25, .median = 0.1, .percentile_95 = 0.8, .largest = 1.0};
+  const CompareTolerance tight{
+      .mean = 0.25, .median = 0.1, .percentile_95 = 0.8, .largest = 1.0, .net_volume = {}, .iou = {}};
   std::vector<std::string> exceeded{"from before"};
   EXPECT_FALSE(within_tolerance(sample_report(), tight, &exceeded));
   ASSERT_EQ(exceeded.size(), 5u);
@@ -69,6 +71,25 @@ TEST(Tolerance, AMethodWithoutDistancesExceedsIt) {
   EXPECT_FALSE(within_tolerance(report, tolerance, &exceeded));
   ASSERT_EQ(exceeded.size(), 1u);
   EXPECT_EQ(exceeded[0], "slide: mean distance is not measured by method \"c2c\"; tolerance 1000000000 m");
+}
+
+TEST(Tolerance, OfVolumesAndFootprints) {
+  ComparisonReport report = sample_report();
+  report.groups = {{"volumes", "", {{"net", -12.5, "m3"}}}, {"footprint", "", {{"iou", 0.8}}}};
+  CompareTolerance tolerance;
+  tolerance.net_volume = 12.5;
+  tolerance.iou = 0.8;
+  EXPECT_TRUE(within_tolerance(report, tolerance, nullptr)) << "the limits themselves are within";
+  tolerance.net_volume = 12;
+  tolerance.iou = 0.81;
+  std::vector<std::string> exceeded;
+  EXPECT_FALSE(within_tolerance(report, tolerance, &exceeded));
+  ASSERT_EQ(exceeded.size(), 2u);
+  EXPECT_EQ(exceeded[0], "slide: net volume, m3, is -12.5; tolerance at most 12 m3");
+  EXPECT_EQ(exceeded[1], "slide: overlap of the footprints (IoU) is 0.8; tolerance at least 0.81");
+  report.groups = {{"footprint", "", {{"iou", std::numeric_limits<double>::quiet_NaN()}}}};
+  EXPECT_FALSE(within_tolerance(report, tolerance, &exceeded)) << "neither measured nor defined";
+  EXPECT_EQ(exceeded.size(), 4u);
 }
 
 TEST(PerPointCsv, WritesSiteCoordinatesAndNaN) {

@@ -121,9 +121,7 @@ Model two_blocks(int dimension, Formulation falling) {
     return X[1] > 0.75 && X[1] < 1.25 && X[0] > 0.25 && X[0] < 0.75 && (X[2] == 0 || (X[2] > 0.25 && X[2] < 0.75));
   };
   test::seed_body(model, "lower", NeoHookean{{1000, 1e5, 0.3}}, 2, below);
-  test::seed_body(model, "upper", NeoHookean{{1000, 1e5, 0.3}}, 3, above, [](const Vec3&) {
-    return Vec3{0.3, -1, 0};
-  });
+  test::seed_body(model, "upper", NeoHookean{{1000, 1e5, 0.3}}, 3, above, [](const Vec3&) { return Vec3{0.3, -1, 0}; });
   model.bodies[1].formulation = falling;
   model.contact.method = ContactMethod::penalty;
   model.contact.friction = 0.3;
@@ -161,11 +159,10 @@ TEST_P(Drop, KeepsMomentumAndEnergyAndGivesForcesThatAreTheImpulse) {
   EXPECT_LT(report.last.total, 1.001 * report.first.total);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Drop,
-                         testing::Combine(testing::Values(2, 3),
-                                          testing::Values(BackEnd::nodal, BackEnd::particle_state),
-                                          testing::Values(Formulation::total_lagrangian,
-                                                          Formulation::updated_lagrangian)));
+INSTANTIATE_TEST_SUITE_P(
+    All, Drop,
+    testing::Combine(testing::Values(2, 3), testing::Values(BackEnd::nodal, BackEnd::particle_state),
+                     testing::Values(Formulation::total_lagrangian, Formulation::updated_lagrangian)));
 
 std::string refusal(Model& model, const SolverOptions& options) {
   test::RecordingSink sink;
