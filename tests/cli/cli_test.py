@@ -259,6 +259,28 @@ where = { box = { min = [8, 8, 8], max = [9, 9, 9] }, place = "reference" }
         self.assertEqual(done.code, 4, str(done))
         self.assertIn("outside tolerance", done.err)
 
+    def test_difference_of_rasters_as_a_stage(self):
+        # The first frame is the scanned ground: heights differ by what the lattice cannot resolve, not by half a cell.
+        def run(*overrides):
+            arguments = ["compare.0.method='dod'", "compare.0.simulated='first'", "compare.0.dod.cell=1",
+                         "compare.0.name='ground'", "compare.0.section=[[500005,4100008],[500015,4100022]]", "render=[]",
+                         *overrides]
+            return Run("run", self.folder / "hill.toml", "-o", self.folder / "d",
+                       *[word for argument in arguments for word in ("--set", argument)])
+        done = run()
+        self.assertEqual(done.code, 0, str(done))
+        report = json.loads((self.folder / "d/compare/ground.json").read_text())
+        self.assertIn("free surface from the volumes", report["gridding"]["simulated"])
+        self.assertLess(abs(report["difference"]["median_m"]), 0.1 * 0.5, "of a spacing of 0.5 m")
+        self.assertGreaterEqual(report["significance"]["sigma_simulated_m"], 0.5 / 12 ** 0.5 - 1e-6)
+        self.assertEqual(report["significance"]["sigma_simulated_from"], "spread of the free surface")
+        for name in ("ground_difference.asc", "ground_difference.png", "ground_histogram.png", "ground_section.png",
+                     "ground_section.csv"):
+            self.assertTrue((self.folder / "d/compare" / name).exists(), name)
+        done = run("compare.0.tolerance.net_volume=0")
+        self.assertEqual(done.code, 4, str(done))
+        self.assertIn("net volume", done.err)
+
     def test_info_does_not_wait_for_a_pipe(self):
         os.mkfifo(self.folder / "pipe.las")
         done = subprocess.run([SCARP, "info", self.folder / "pipe.las"], capture_output=True, text=True, timeout=20)
