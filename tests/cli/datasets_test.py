@@ -59,6 +59,10 @@ class Result:
         with h5py.File(self.folder / self.series[-1]["name"]) as frame:
             return frame["VTKHDF/Points"][:]
 
+    def last_displacements(self):
+        with h5py.File(self.folder / self.series[-1]["name"]) as frame:
+            return frame["VTKHDF/PointData/displacement"][:]
+
     def spacing(self):
         """Between material points of the first body of a plane-strain model."""
         volume = self.summary["discretize"]["volumes"][0]
@@ -83,6 +87,14 @@ def surface_at(points, spacing, x):
     return near[:, 1].max() + spacing / 2
 
 
+def still_at(points, displacement, spacing, x, least):
+    """Height below which a plane-strain body has not failed at x of its reference configuration: half a spacing above the
+    highest point that has moved by less than `least`."""
+    reference = points - displacement
+    still = (abs(reference[:, 0] - x) <= 0.51 * spacing) & (numpy.linalg.norm(displacement, axis=1) < least)
+    return reference[still, 1].max() + spacing / 2
+
+
 def curve_error(curve, rows):
     """The largest departure of a column from a formula of t, over the formula's largest value."""
     exact = [float(evaluate(curve["exact"], t=row["time"])) for row in rows]
@@ -105,6 +117,8 @@ def found(check, runs):
         return curve_error(check["curve"], result.history)
     if "surface_at" in check:
         return surface_at(result.last_points(), result.spacing(), check["surface_at"])
+    if "still_at" in check:
+        return still_at(result.last_points(), result.last_displacements(), result.spacing(), check["still_at"], check["least"])
     if "lowest" in check:
         return float(result.last_points()[:, 1].min())
     if "front_of" in check:

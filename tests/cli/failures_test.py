@@ -15,6 +15,26 @@ import numpy
 
 from support import BLOCK, Run
 
+# In which forms bodies are stepped: the same failures in each.
+FORMS = {
+    "nodal": [],
+    "particle-state": ["solver.back_end='particle-state'"],
+    "moving": ["solver.reference_update=2"],
+    "updated": ["bodies.block.formulation='updated-lagrangian'"],
+}
+
+
+def struck(force, where="body = 'block'"):
+    """The block, and a force (N) on part of it once two hundredths of a second have passed."""
+    return BLOCK + f"""
+[[loads]]
+name = "strike"
+where = {{ {where} }}
+force = {force}
+table = [[0, 0], [0.02, 0], [0.0201, 1]]
+"""
+
+
 PRESSED = """
 [[loads]]
 name = "press"
@@ -69,16 +89,20 @@ class Failures(unittest.TestCase):
         for row in rows:
             self.assertTrue(all(numpy.isfinite(float(value)) for value in row.values()), row)
 
+    def in_each_form(self, scenario, what, at_step, *overrides, **expected):
+        for form, changes in FORMS.items():
+            with self.subTest(form):
+                failure = self.provoke(scenario, what, *overrides, *changes, frames_at_least=3, **expected)
+                self.assertAlmostEqual(failure["step"], at_step, delta=1)
+
     def test_steps_run_out(self):
-        failure = self.provoke(BLOCK, "max_steps", "solver.max_steps=25", "output.every=0.001", particle=False, frames_at_least=2)
-        self.assertEqual(failure["step"], 25)
+        self.in_each_form(BLOCK, "max_steps", 25, "solver.max_steps=25", "output.every=0.001", particle=False)
 
     def test_a_particle_is_turned_inside_out(self):
-        self.provoke(BLOCK, "turned inside out", "solver.gravity=[0,0,-3e6]")
+        self.in_each_form(struck([0, 0, -1e12], "box = { min = [0, 0, 0.75], max = [2, 2, 1] }"), "turned inside out", 21)
 
     def test_something_is_not_finite(self):
-        # It is torn apart so fast that the volume of a cell overflows in a step.
-        self.provoke(BLOCK, "not finite", "solver.body_force=['1e150 * X', '1e150 * Y', '1e150 * Z']")
+        self.in_each_form(struck([1e200, 0, 1e200]), "not finite", 21, "domain.boundary.z_min='free'")
 
     def test_a_particle_leaves_the_grid(self):
         failure = self.provoke(BLOCK, "left the grid", "bodies.block.formulation='updated-lagrangian'",
@@ -88,10 +112,20 @@ class Failures(unittest.TestCase):
         self.assertGreater(failure["step"], 1)
 
     def test_the_time_step_collapses(self):
-        failure = self.provoke(BLOCK + PRESSED, "the time step has collapsed", "solver.gravity=[0,0,0]",
-                            "solver.end_time=1", frames_at_least=20)
-        self.assertIn("body 'block', material 'soil', wave speed", failure["what"])
-        self.assertGreater(failure["step"], 10)
+        for form in ("nodal", "particle-state"):
+            with self.subTest(form):
+                failure = self.provoke(BLOCK + PRESSED, "the time step has collapsed", "solver.gravity=[0,0,0]",
+                                       "solver.end_time=1", *FORMS[form], frames_at_least=20)
+                self.assertIn("body 'block', material 'soil', wave speed", failure["what"])
+                self.assertGreater(failure["step"], 10)
+
+    def test_a_particle_outruns_the_time_step(self):
+        # On a grid that stands still the step falls with the speed of the particles.
+        failure = self.provoke(struck([3.6e15, 0, 0]), "the time step has collapsed", *FORMS["updated"],
+                               "solver.gravity=[0,0,0]", "domain.boundary.z_min='free'", "domain.min=[0,0,0]",
+                               "domain.max=[1e6,3,3]", frames_at_least=3)
+        self.assertIn("body 'block', material 'soil'", failure["what"])
+        self.assertIn("particle speed", failure["what"])
 
 
 if __name__ == "__main__":
