@@ -122,7 +122,21 @@ void NodalBody::restart(const Particles& particles, int threads) {
 }
 
 void NodalBody::add_body_force(const Particles& particles, const std::vector<Vec3>& acceleration) {
-  scatter(nodes_.sum, [&](std::size_t p) { return particles.mass[p] * acceleration[p]; });
+  double* field[3];
+  for (int d = 0; d < 3; ++d) {
+    body_force_[d].assign(layout_.nodes(), 0);
+    field[d] = body_force_[d].data();
+  }
+  scatter(field, [&](std::size_t p) { return particles.mass[p] * acceleration[p]; });
+  for (int d = 0; d < layout_.dimension; ++d)
+    for (std::size_t i = 0; i < layout_.nodes(); ++i) nodes_.sum[d][i] += body_force_[d][i];
+}
+
+double NodalBody::body_force_times_displacement() const {
+  double sum = 0;
+  for (int d = 0; d < layout_.dimension; ++d)
+    for (std::size_t i = 0; i < layout_.nodes(); ++i) sum += body_force_[d][i] * nodes_.W[d][i];
+  return sum;
 }
 
 NodeWork NodalBody::step(const NodalStep& step, int threads) {

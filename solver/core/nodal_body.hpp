@@ -47,8 +47,9 @@ class NodalBody {
   /// Adds b_p per mass to the forces of the next step. Serial.
   /// @param acceleration  b_p, per particle of the model
   void add_body_force(const Particles& particles, const std::vector<Vec3>& acceleration);
-  /// sum of m_p b_p . (x_p - X_p), J: what a step adds to it is the work of the body force. Serial.
-  double body_force_times_displacement(const Particles& particles, const std::vector<Vec3>& acceleration) const;
+  /// sum of m_p b_p . (x_p - X_p) for the b_p added last, J: what the step adds to it is their work. As displacements
+  /// are those of the nodes, it is a sum over nodes.
+  double body_force_times_displacement() const;
 
   /// See the calls of TotalLagrangian.
   void prepare_contact(ContactSurface& surface) const;
@@ -93,8 +94,6 @@ class NodalBody {
   /// `whole`: also F, stress and history.
   template <int D, bool whole>
   void write_segment(Particles& particles, std::size_t segment) const;
-  template <int D>
-  double times_displacement(const Particles& particles, const std::vector<Vec3>& acceleration) const;
 
   const Model& model_;
   TotalBody& body_;
@@ -111,6 +110,7 @@ class NodalBody {
   std::vector<std::uint32_t> special_;  ///< nodes of the ReferenceGrid that the kernels leave alone
   std::vector<double> special_mass_;    ///< per node of the ReferenceGrid: m_I, or 0
   std::vector<Vec3> special_momentum_;  ///< per special node: what has been mapped, before anything holds it
+  AlignedArray body_force_[3];          ///< per node, N: sum of phi_Ip m_p b_p; empty without
   std::vector<Vec3> start_velocity_;    ///< per particle of the body; one where all are alike
   double start_square_ = 0;             ///< sum of m v(0)^2
   bool moves_ = false;                  ///< whether any particle had a velocity at the start

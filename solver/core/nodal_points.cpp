@@ -208,30 +208,6 @@ void NodalBody::write_motion(Particles& particles, int threads) const {
   });
 }
 
-template <int D>
-double NodalBody::times_displacement(const Particles& particles, const std::vector<Vec3>& acceleration) const {
-  using Cell = LinearCell<D>;
-  double sum = 0;
-  for (std::size_t s = 0; s < layout_.segments.size(); ++s) {
-    const Segment& segment = layout_.segments[s];
-    for (int i = 0; i < segment.places * kSegment; ++i) {
-      const std::int64_t p = layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(i)];
-      if (p < 0) continue;
-      typename Cell::Values W[D], m;
-      gather<D>(nodes_.W, segment, i % kSegment, W);
-      Cell::monomials(place_in_cell(layout_, segment, i / kSegment, i % kSegment), m);
-      for (int d = 0; d < D; ++d) sum += particles.mass[p] * acceleration[p][d] * Cell::value(W[d], m);
-    }
-  }
-  return sum;
-}
-
-double NodalBody::body_force_times_displacement(const Particles& particles,
-                                                const std::vector<Vec3>& acceleration) const {
-  return layout_.dimension == 2 ? times_displacement<2>(particles, acceleration)
-                                : times_displacement<3>(particles, acceleration);
-}
-
 /// The first particle of a segment that is turned inside out, else the first of which something is not finite.
 std::int64_t NodalBody::find_bad_particle(std::size_t s) const {
   const Segment& segment = layout_.segments[s];

@@ -170,11 +170,11 @@ void TotalLagrangian::find_accelerations() {
 StressOutcome TotalLagrangian::step_nodal(NodalBody& body, const Vec3& gravity, double dt, bool find_speed) {
   if (body_force) {
     body.add_body_force(model_.particles, accelerations_);
-    work_.external -= body.body_force_times_displacement(model_.particles, accelerations_);
+    work_.external -= body.body_force_times_displacement();
   }
   work_ = work_ +
           body.step({time_, dt, gravity, gravity - options_.gravity, options_.flip_share(dt), find_speed}, threads_);
-  if (body_force) work_.external += body.body_force_times_displacement(model_.particles, accelerations_);
+  if (body_force) work_.external += body.body_force_times_displacement();
   return body.outcome();
 }
 
