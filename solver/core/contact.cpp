@@ -56,6 +56,7 @@ void Contact::update() {
   stored_ = 0;
   std::fill(net_.begin(), net_.end(), Vec3{0, 0, 0});
   for (ContactLink& link : links_) find_forces(link);
+  for (ContactFace& face : faces_) find_forces(face);
 }
 
 bool Contact::lists_hold() {
@@ -112,8 +113,9 @@ void Contact::make_lists() {
     allowed_ = std::min(allowed_, 0.45 * std::max(margin_, apart));
   }
   for (ContactBody& body : bodies_)
-    if (body.total) body.cells.build(body.y, 3 * margin_, dimension_);
+    if (body.total) body.cells.build(body.y, 5 * margin_, dimension_);
   for (ContactLink& link : links_) list_candidates(link);
+  for (ContactFace& face : faces_) list_candidates(face);
   for (ContactBody& body : bodies_) {
     body.active.clear();
     for (std::uint32_t i = 0; i < body.size(); ++i)
@@ -138,6 +140,45 @@ void Contact::list_candidates(ContactLink& link) {
     if (link.masters.size() == begin) continue;
     a.is_active[i] = 1;
     link.candidates.push_back({i, begin, static_cast<std::uint32_t>(link.masters.size())});
+  }
+}
+
+void Contact::list_candidates(ContactFace& face) {
+  ContactBody& body = bodies_[face.body];
+  const double lowest = face.inward > 0 ? body.box.min[face.axis] : body.box.max[face.axis];
+  allowed_ = std::min(allowed_, 0.9 * std::max(margin_, face.inward * (lowest - face.place)));
+  face.candidates.clear();
+  for (std::uint32_t i = 0; i < body.size(); ++i) {
+    if (face.inward * (body.y[i][face.axis] - face.place) > margin_) continue;
+    face.candidates.push_back(i);
+    body.is_active[i] = 1;
+  }
+}
+
+void Contact::find_forces(ContactFace& face) {
+  ContactBody& body = bodies_[face.body];
+  Touch touch;
+  touch.n[face.axis] = face.inward;
+  for (std::uint32_t i : face.candidates) {
+    touch.depth = face.inward * (face.place - body.y[i][face.axis]);
+    touch.stiffness = model_.contact.stiffness * body.area[i] * body.modulus[i] / body.spacing;
+    const double closing = last_step_ > 0 ? -dot(body.moved[i], touch.n) * longest_step_ / last_step_ : 0;
+    const bool facing = dot(body.n[i], touch.n) <= kFacing;
+    if (facing && touch.depth + std::max(0.0, closing) > 0) {
+      body.stiffness[i] += touch.stiffness;
+      body.pressed = true;
+    }
+    if (!facing || !(touch.depth > 0)) {
+      face.touching[i] = 0;
+      face.stretch[i] = {0, 0, 0};
+      continue;
+    }
+    stored_ += 0.5 * touch.stiffness * touch.depth * touch.depth;
+    Vec3 force = touch.stiffness * touch.depth * touch.n;
+    if (face.friction > 0) force = force - rub(face.stretch[i], face.touching[i], body.moved[i], touch, face.friction);
+    face.touching[i] = 1;
+    body.force[i] = body.force[i] + force;
+    net_[body.body] = net_[body.body] + force;
   }
 }
 

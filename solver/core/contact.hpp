@@ -54,6 +54,18 @@ struct ContactLink {
   std::vector<std::uint8_t> touching;  ///< per point
 };
 
+/// The points of one body against a face of the domain with friction that none of its nodes stood on at the start.
+struct ContactFace {
+  std::size_t body = 0;  ///< which ContactBody
+  int axis = 0;
+  double inward = 1;  ///< along the axis: 1 on a lower face, -1 on an upper one
+  double place = 0;   ///< m, on the axis
+  double friction = 0;
+  std::vector<std::uint32_t> candidates;
+  std::vector<Vec3> stretch;           ///< per point, m
+  std::vector<std::uint8_t> touching;  ///< per point
+};
+
 /// Contact by springs between the surfaces of total-Lagrangian bodies, and between them and the particles of
 /// updated-Lagrangian ones, in the current configuration.
 ///
@@ -63,6 +75,9 @@ struct ContactLink {
 /// stiffness x P-wave modulus / spacing, whatever the time step; a tangential spring of the same stiffness stretches
 /// with the relative motion and slips at Coulomb's limit (Cundall and Strack 1979). The point's force is taken from the
 /// points q in proportion to w_q: forces sum to nothing. Beyond the rim of an open patch of surface the springs fade.
+///
+/// A face of the domain with friction stops total-Lagrangian bodies that come to it in the same way. Those with nodes
+/// on it at the start are NodeFaces' business.
 ///
 /// Points near enough to matter are listed, and the lists hold until something has moved half their margin. A step
 /// looks at the listed points alone and allocates nothing once buffers have grown. Serial; same bits for any threads.
@@ -90,6 +105,7 @@ class Contact {
   void add_updated_body(std::int32_t body);
   void size_buffers(ContactBody& body);
   void add_links();
+  void add_faces();
   void refuse_overlap() const;
   double reach(const ContactBody& a, const ContactBody& b) const { return 2 * std::max(a.spacing, b.spacing); }
   bool lists_hold();
@@ -97,6 +113,8 @@ class Contact {
   void make_lists();
   void list_candidates(ContactLink& link);
   void find_forces(ContactLink& link);
+  void list_candidates(ContactFace& face);
+  void find_forces(ContactFace& face);
   bool look(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch);
   double height_above(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch);
   double approach(const ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch) const;
@@ -113,6 +131,7 @@ class Contact {
   std::vector<ContactBody> bodies_;
   std::vector<std::size_t> total_index_;  ///< per body: which of TotalLagrangian's
   std::vector<ContactLink> links_;
+  std::vector<ContactFace> faces_;
   std::vector<double> material_friction_;  ///< per pair of materials
   std::vector<double> weights_;            ///< of a candidate's masters
   std::vector<std::uint32_t> everything_;  ///< 0, 1, 2, ...

@@ -59,12 +59,14 @@ Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* 
       add_updated_body(static_cast<std::int32_t>(b));
   for (ContactBody& body : bodies_) {
     size_buffers(body);
-    margin_ = std::max(margin_, body.spacing);
+    margin_ = std::max(margin_, 0.5 * body.spacing);
   }
   add_links();
+  add_faces();
   make_lists();
   for (ContactBody& body : bodies_) std::fill(body.moved.begin(), body.moved.end(), Vec3{0, 0, 0});
   for (ContactLink& link : links_) find_forces(link);
+  for (ContactFace& face : faces_) find_forces(face);
   refuse_overlap();
 }
 
@@ -134,6 +136,28 @@ void Contact::add_links() {
       link.stretch.assign(bodies_[a].size(), Vec3{0, 0, 0});
       link.touching.assign(bodies_[a].size(), 0);
       links_.push_back(std::move(link));
+    }
+}
+
+void Contact::add_faces() {
+  const Domain& domain = model_.domain;
+  const double slack = 1e-6 * domain.cell;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (int side = 0; bodies_[b].total && side < 2 * dimension_; ++side) {
+      if (domain.faces[side].condition != FaceCondition::friction) continue;
+      ContactFace face;
+      face.body = b;
+      face.axis = side / 2;
+      face.inward = side % 2 == 0 ? 1 : -1;
+      face.place = side % 2 == 0 ? domain.min[face.axis] : domain.max[face.axis];
+      face.friction = domain.faces[side].friction;
+      const std::vector<Vec3>& nodes = total_->body(total_index_[b]).node_positions;
+      if (std::any_of(nodes.begin(), nodes.end(),
+                      [&](const Vec3& x) { return face.inward * (x[face.axis] - face.place) <= slack; }))
+        continue;
+      face.stretch.assign(bodies_[b].size(), Vec3{0, 0, 0});
+      face.touching.assign(bodies_[b].size(), 0);
+      faces_.push_back(std::move(face));
     }
 }
 

@@ -42,9 +42,11 @@ struct ContactOptions {
   template <class V>
   void describe(V&& v) {
     v("method", method,
-      Spec{.text = "\"none\": total-Lagrangian bodies do not see each other, updated-Lagrangian ones meet and stick on "
-                   "their grid; \"penalty\": springs between the surfaces of total-Lagrangian bodies, and between them "
-                   "and updated-Lagrangian bodies (these still share their grid)"});
+      Spec{.text =
+               "\"none\": total-Lagrangian bodies do not see each other, updated-Lagrangian ones meet and stick on "
+               "their grid; \"penalty\": springs between the surfaces of total-Lagrangian bodies, and between them "
+               "and updated-Lagrangian bodies (these still share their grid); faces of the domain with friction stop "
+               "total-Lagrangian bodies that come to them"});
     v("friction", friction, Spec{.text = "Coulomb coefficient", .at_least = 0});
     v("stiffness", stiffness,
       Spec{.text =

@@ -164,6 +164,42 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(2, 3), testing::Values(BackEnd::nodal, BackEnd::particle_state),
                      testing::Values(Formulation::total_lagrangian, Formulation::updated_lagrangian)));
 
+/// A block falls on a face with friction from a cell above: it bounces, and the impulse is what it has lost.
+TEST(ContactFace, StopsABodyThatComesToIt) {
+  for (int dimension : {2, 3}) {
+    const double deep = dimension == 3 ? 1 : 0;
+    Model model = test::empty_model({0, 0, 0}, {3, 2, deep}, 0.25);
+    model.domain.faces[2] = Face(FaceCondition::friction, 0.2);
+    test::seed_body(
+        model, "block", NeoHookean{{1000, 1e5, 0.3}}, 2,
+        [](const Vec3& X) { return X[1] > 0.5 && X[1] < 1 && X[0] > 0.5 && X[0] < 1; },
+        [](const Vec3&) {
+          return Vec3{1, -1, 0};
+        });
+    model.contact.method = ContactMethod::penalty;
+    test::RecordingSink sink;
+    double lowest = 1;
+    sink.on_frame = [&](const Model& m, double) {
+      for (const Vec3& x : m.particles.position) lowest = std::min(lowest, x[1]);
+    };
+    const RunReport report = run(model, test::solver(1.2, {0, 0, 0}, 0.1), test::output(0.02, 0.02), sink, 1);
+    ASSERT_FALSE(report.failed) << report.failure.what;
+    const HistorySample &first = sink.samples.front(), &last = sink.samples.back();
+    Vec3 impulse{0, 0, 0};
+    double before = 0;
+    for (const HistorySample& s : sink.samples) {
+      impulse = impulse + (s.time - before) * s.contact_force[0];
+      before = s.time;
+    }
+    EXPECT_GT(last.momentum[1], -0.5 * first.momentum[1]);  // the rest is vibration
+    EXPECT_NEAR(norm(last.momentum - first.momentum - impulse), 0, 1e-9 * norm(impulse));
+    EXPECT_NEAR(-impulse[0] / impulse[1], 0.2, 0.03);  // slides all the time
+    EXPECT_GT(last.friction, 0);
+    EXPECT_GT(lowest, 0);
+    EXPECT_LT(report.largest_energy_error, 0.04 * report.first.total);
+  }
+}
+
 std::string refusal(Model& model, const SolverOptions& options) {
   test::RecordingSink sink;
   try {
