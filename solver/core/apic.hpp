@@ -41,7 +41,7 @@ struct AffineMotion {
 };
 
 /// C_p of the particles' velocities as they stand, for the first step. Slots and v_I are those of (1), (2) afterwards.
-void begin_affine(const Particles& particles, UpdatedGrid& grid, int threads);
+void begin_affine(Particles& particles, UpdatedGrid& grid, int threads);
 void begin_affine(const Particles& particles, TotalBody& body, int threads);
 
 /// (1) Slots' momenta += sum_p phi_Ip m_p C_p (x_I - x_p), at the particles' present places.

@@ -20,7 +20,7 @@ class WindowOffsets {
     for (int a = 0; a < D; ++a)
       for (int i = 0; i < S::width; ++i) {
         const std::int32_t cell = grid.cells[c][a];
-        offset_[a][i] = grid.cell * (S::place(cell + i, grid.cell_count[a]) - cell - grid.xi[m][a]);
+        offset_[a][i] = grid.cell * (S::place(cell + i, grid.cell_count[a]) - cell - grid.xi[grid.members[m]][a]);
       }
   }
   Vec3 operator[](int k) const {
@@ -36,20 +36,12 @@ class WindowOffsets {
 /// Adds phi mass C r to the momenta of the window.
 template <int D, class S>
 void add_momenta(const WindowWeights<D, S>& weights, const WindowOffsets<D, S>& offsets, double mass, const Mat3& C,
-                 Vec3* momenta) {
+                 std::array<double, 4>* momenta) {
   weights.each_value([&](int k, double phi) {
     const Vec3 r = offsets[k];
     for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a) momenta[k][i] += phi * mass * C[3 * i + a] * r[a];
+      for (int a = 0; a < D; ++a) momenta[in_tile<D, S>(k)][i] += phi * mass * C[3 * i + a] * r[a];
   });
-}
-
-template <int D, class S>
-void add_to_slots(UpdatedGrid& grid, std::size_t c, const Vec3* momenta) {
-  for (int k = 0; k < kWindow<D, S>; ++k) {
-    Vec3& momentum = grid.slots[c * kWindow<D, S> + k].momentum;
-    momentum = momentum + momenta[k];
-  }
 }
 
 /// C of the velocities of the window.
@@ -72,9 +64,10 @@ Mat3 affine_part(const WindowWeights<D, S>& weights, const WindowOffsets<D, S>& 
 }
 
 template <int D, class S>
-void advance_cell(const Particles& particles, UpdatedGrid& grid, const std::vector<Vec3>& velocities, std::size_t c) {
-  Vec3 updated[kWindow<D, S>], momenta[kWindow<D, S>]{};
-  for (int k = 0; k < kWindow<D, S>; ++k) updated[k] = velocities[window_node<D, S>(grid, c, k)];
+void advance_cell(const Particles& particles, UpdatedGrid& grid, const std::vector<Vec3>& velocities, std::size_t b,
+                  std::size_t c, std::array<double, 4>* momenta) {
+  Vec3 updated[kWindow<D, S>];
+  for (int k = 0; k < kWindow<D, S>; ++k) updated[k] = velocities[window_node<D, S>(grid, b, c, k)];
   for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
     const std::uint32_t p = grid.members[m];
     const WindowWeights<D, S> weights(grid, c, m);
@@ -83,29 +76,23 @@ void advance_cell(const Particles& particles, UpdatedGrid& grid, const std::vect
         affine_part<D, S>(weights, offsets, updated, particles.velocity[p], kLeastSpread * grid.cell * grid.cell);
     add_momenta<D, S>(weights, offsets, particles.mass[p], grid.affine[p], momenta);
   }
-  add_to_slots<D, S>(grid, c, momenta);
 }
 
 void advance(const Particles& particles, UpdatedGrid& grid, const std::vector<Vec3>& velocities, int threads) {
-  with_shape(grid, [&]<int D, class S>() {
-    for_each_updated_cell(grid, threads,
-                          [&](std::size_t, std::size_t c) { advance_cell<D, S>(particles, grid, velocities, c); });
+  map_more_momenta(grid, threads, [&]<int D, class S>(std::size_t b, std::size_t c, std::array<double, 4>* momenta) {
+    advance_cell<D, S>(particles, grid, velocities, b, c, momenta);
   });
 }
 
 }  // namespace
 
 void add_affine_momenta(const Particles& particles, UpdatedGrid& grid, int threads) {
-  with_shape(grid, [&]<int D, class S>() {
-    for_each_updated_cell(grid, threads, [&](std::size_t, std::size_t c) {
-      Vec3 momenta[kWindow<D, S>]{};
-      for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
-        const std::uint32_t p = grid.members[m];
-        add_momenta<D, S>(WindowWeights<D, S>(grid, c, m), WindowOffsets<D, S>(grid, c, m), particles.mass[p],
-                          grid.affine[p], momenta);
-      }
-      add_to_slots<D, S>(grid, c, momenta);
-    });
+  map_more_momenta(grid, threads, [&]<int D, class S>(std::size_t, std::size_t c, std::array<double, 4>* momenta) {
+    for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+      const std::uint32_t p = grid.members[m];
+      add_momenta<D, S>(WindowWeights<D, S>(grid, c, m), WindowOffsets<D, S>(grid, c, m), particles.mass[p],
+                        grid.affine[p], momenta);
+    }
   });
 }
 
@@ -113,7 +100,7 @@ void advance_affine(const Particles& particles, UpdatedGrid& grid, int threads) 
   advance(particles, grid, grid.velocity_updated, threads);
 }
 
-void begin_affine(const Particles& particles, UpdatedGrid& grid, int threads) {
+void begin_affine(Particles& particles, UpdatedGrid& grid, int threads) {
   grid.affine.assign(particles.size(), Mat3{});
   map_to_nodes(particles, grid, threads);
   find_node_velocities(grid, threads);
@@ -122,7 +109,7 @@ void begin_affine(const Particles& particles, UpdatedGrid& grid, int threads) {
 }
 
 AffineMotion measure_affine(const Particles& particles, const UpdatedGrid& grid, int threads) {
-  std::vector<AffineMotion> tasks(updated_tasks(grid));
+  std::vector<AffineMotion> tasks(grid.blocks.size());
   with_shape(grid, [&]<int D, class S>() {
     for_each_updated_cell(grid, threads, [&](std::size_t t, std::size_t c) {
       for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {

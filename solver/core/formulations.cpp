@@ -27,7 +27,7 @@ Formulations::Formulations(Model& model, const SolverOptions& options, int threa
   sort_by_cell(model);
   set_k0_stress(model, options, threads);
   if (has_formulation(model, Formulation::total_lagrangian)) total_.emplace(model, options, threads, kernels);
-  if (has_formulation(model, Formulation::updated_lagrangian)) updated_.emplace(model, options, threads);
+  if (has_formulation(model, Formulation::updated_lagrangian)) updated_.emplace(model, options, threads, kernels);
   if (model.contact.method == ContactMethod::penalty)
     contact_.emplace(model, total_ ? &*total_ : nullptr, updated_ ? &*updated_ : nullptr);
 }

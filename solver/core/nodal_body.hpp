@@ -11,6 +11,7 @@
 #include "solver/core/nodal_layout.hpp"
 #include "solver/core/node_step.hpp"
 #include "solver/core/stress.hpp"
+#include "solver/kernels/kernels.hpp"
 #include "solver/model/reports.hpp"
 
 namespace scarp {

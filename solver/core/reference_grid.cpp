@@ -55,6 +55,14 @@ std::int64_t key_of(const Lattice& lattice, const LatticeIndex& i) {
   return (i[2] * ny + i[1]) * nx + i[0];
 }
 
+/// Of the block of 64 cells in which the sweeps over updated-Lagrangian particles go, in the same order; 0 for bodies
+/// that go by rows of cells.
+std::int64_t block_key_of(const Body& body, const LatticeIndex& i) {
+  if (body.formulation != Formulation::updated_lagrangian) return 0;
+  const int edge = body.lattice.flat() ? 8 : 4;
+  return key_of(body.lattice, {i[0] / edge, i[1] / edge, i[2] / edge});
+}
+
 LatticeIndex index_of(const Lattice& lattice, std::int64_t key) {
   const std::int64_t nx = lattice.cells[0] + std::int64_t{1}, ny = lattice.cells[1] + std::int64_t{1};
   return {static_cast<std::int32_t>(key % nx), static_cast<std::int32_t>(key / nx % ny),
@@ -133,9 +141,11 @@ void weigh(ReferenceGrid& grid, const Model& model, const Body& body) {
 void order_by_cell(std::vector<std::size_t>& order, const Model& model, const Body& body, const Places& places) {
   const Particles& particles = model.particles;
   check_lattice(body);
-  std::vector<std::int64_t> keys(body.end - body.begin);
-  for (std::size_t p = body.begin; p < body.end; ++p)
-    keys[p - body.begin] = key_of(body.lattice, place_of(model, body, places, p).cell);
+  std::vector<std::pair<std::int64_t, std::int64_t>> keys(body.end - body.begin);
+  for (std::size_t p = body.begin; p < body.end; ++p) {
+    const LatticeIndex cell = place_of(model, body, places, p).cell;
+    keys[p - body.begin] = {block_key_of(body, cell), key_of(body.lattice, cell)};
+  }
   const auto rank = [&](std::size_t p) {
     return std::tuple(keys[p - body.begin], particles.material[p], particles.id[p]);
   };

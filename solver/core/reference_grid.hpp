@@ -33,8 +33,9 @@ struct ReferenceGrid {
   int corners() const { return 1 << dimension; }
 };
 
-/// Groups each body's particles by cell, within a cell by material, else in the order of their ids; leaves them
-/// alone where they already stand so. Their ids keep their identity.
+/// Groups each body's particles by cell, within a cell by material, else in the order of their ids, those of
+/// updated-Lagrangian bodies by block of cells first; leaves them alone where they already stand so. Their ids keep
+/// their identity.
 /// @throws Error ("solve") where a particle lies outside its body's lattice.
 void sort_by_cell(Model& model);
 /// The same of one body, on its lattice as given, for particles where they are now.

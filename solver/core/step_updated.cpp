@@ -6,14 +6,17 @@
 #include <cmath>
 
 #include "solver/core/apic.hpp"
+#include "solver/core/law_kernels.hpp"
 #include "solver/core/step_limit.hpp"
+#include "solver/core/updated_kernels.hpp"
 #include "solver/core/updated_stress.hpp"
 #include "solver/core/updated_transfer.hpp"
 #include "solver/core/xpic.hpp"
 
 namespace scarp {
 
-UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options, int threads)
+UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options, int threads,
+                                     const kernels::Kernels& kernels)
     : model_(model),
       grid_(make_updated_grid(model, options.shape, threads)),
       order_(options.update),
@@ -23,6 +26,10 @@ UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options,
   if (options.anti_locking == AntiLocking::f_bar) average_volumes(grid_);
   if (options_.transfer == Transfer::apic) begin_affine(model.particles, grid_, threads);
   for (const NamedMaterial& material : model.materials) laws_.push_back(prepare(material.law, grid_.cell));
+  if (options.back_end == BackEnd::nodal) {
+    grid_.law_parameters = kernels_of(model);
+    use_kernels(grid_, model.particles, kernels);
+  }
   find_speeds();
 }
 

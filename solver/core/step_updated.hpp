@@ -9,6 +9,7 @@
 #include "solver/core/updated_conditions.hpp"
 #include "solver/core/updated_grid.hpp"
 #include "solver/core/updated_stress.hpp"
+#include "solver/kernels/choose_kernels.hpp"
 #include "solver/materials/law.hpp"
 
 namespace scarp {
@@ -20,7 +21,8 @@ class UpdatedLagrangian {
  public:
   /// @param model  checked and sorted by cell; must outlive this object
   /// @throws Error ("solve", "materials"), see make_updated_grid and UpdatedConditions
-  UpdatedLagrangian(Model& model, const SolverOptions& options, int threads);
+  UpdatedLagrangian(Model& model, const SolverOptions& options, int threads,
+                    const kernels::Kernels& kernels = kernels::best_kernels());
 
   /// Largest stable step, s: courant * cell / (c + |v|), with c of the stiffest particle in the current configuration
   /// and v of the fastest (method.md 1.2). 0 where the state is not finite.

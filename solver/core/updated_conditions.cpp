@@ -13,8 +13,6 @@
 namespace scarp {
 namespace {
 
-constexpr std::size_t kNodesPerTask = 1024;
-
 /// Where the nodes count as standing: functions beyond a wall belong to it.
 std::vector<Vec3> places(const UpdatedGrid& grid, const Domain& domain) {
   std::vector<Vec3> positions = node_positions(grid);
@@ -66,24 +64,24 @@ template <int D, class S>
 void add_wave_speeds(const Model& model, const UpdatedGrid& grid, const std::vector<Vec2>& of_materials,
                      std::vector<Vec2>& speeds) {
   std::vector<double> mass(grid.nodes.size(), 0);
-  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+  for_each_updated_cell(grid, 1, [&](std::size_t b, std::size_t c) {
     bool beside = false;
     for (int a = 0; a < D; ++a)
       beside = beside || (grid.cells[c][a] == 0 && model.domain.faces[2 * a].condition == FaceCondition::absorbing) ||
                (grid.cells[c][a] == grid.cell_count[a] - 1 &&
                 model.domain.faces[2 * a + 1].condition == FaceCondition::absorbing);
-    if (!beside) continue;
+    if (!beside) return;
     for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
       const std::uint32_t p = grid.members[m];
       const Vec2 speed = wave_speeds_of(model, of_materials, p);
       WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) {
-        const std::uint32_t node = window_node<D, S>(grid, c, k);
+        const std::uint32_t node = window_node<D, S>(grid, b, c, k);
         const double weight = phi * model.particles.mass[p];
         mass[node] += weight;
         for (int i = 0; i < 2; ++i) speeds[node][i] += weight * speed[i];
       });
     }
-  }
+  });
   for (std::size_t i = 0; i < speeds.size(); ++i)
     if (mass[i] > 0)
       for (double& c : speeds[i]) c /= mass[i];
@@ -150,26 +148,23 @@ void UpdatedConditions::map_forces(const UpdatedGrid& grid, double ramp, int thr
     return model_.water ? load + ramp * water_force(*model_.water, model_.particles, p, grid.dimension) : load;
   };
   std::vector<Vec3>& nodes = conditions_.loads.present;
-  nodes.resize(grid.nodes.size());
-  slots_.resize(grid.cells.size() * grid.window());
+  nodes.assign(grid.nodes.size(), Vec3{0, 0, 0});
+  tiles_.assign(grid.tile_nodes.size(), Vec3{0, 0, 0});
   with_shape(grid, [&]<int D, class S>() {
-    for_each_updated_cell(grid, threads, [&](std::size_t, std::size_t c) {
-      Vec3 sums[kWindow<D, S>]{};
+    for_each_updated_cell(grid, threads, [&](std::size_t b, std::size_t c) {
+      Vec3* const sums = &tiles_[b * grid.tile() + grid.first_in_tile[c]];
       for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
         const Vec3 force = force_on(grid.members[m]);
         if (force == Vec3{0, 0, 0}) continue;
-        WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) { sums[k] = sums[k] + phi * force; });
-      }
-      std::copy(sums, sums + kWindow<D, S>, &slots_[c * kWindow<D, S>]);
-    });
-    parallel_for((nodes.size() + kNodesPerTask - 1) / kNodesPerTask, threads, [&](std::size_t t) {
-      for (std::size_t i = t * kNodesPerTask; i < std::min(nodes.size(), (t + 1) * kNodesPerTask); ++i) {
-        Vec3 sum{0, 0, 0};
-        each_slot_of_node<D, S>(grid, grid.nodes[i], [&](std::size_t s) { sum = sum + slots_[s]; });
-        nodes[i] = free_part(sum, grid.held[i]);
+        WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) {
+          Vec3& sum = sums[in_tile<D, S>(k)];
+          sum = sum + phi * force;
+        });
       }
     });
   });
+  for_each_tile_node(grid, threads, [&](std::uint32_t node, std::size_t t) { nodes[node] = nodes[node] + tiles_[t]; });
+  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = free_part(nodes[i], grid.held[i]);
 }
 
 NodeWork UpdatedConditions::act(UpdatedGrid& grid, double time, double dt, const Vec3& missing_gravity, double ramp,

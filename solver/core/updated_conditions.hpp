@@ -55,7 +55,7 @@ class UpdatedConditions {
   std::map<std::pair<std::size_t, int>, Vec3> supports_;  ///< by node of the lattice and side, N
   std::vector<ParticleForces> loads_;
   std::vector<Vec3> particle_force_;  ///< per particle of the model, N; empty where none is loaded
-  std::vector<Vec3> slots_;
+  std::vector<Vec3> tiles_;           ///< per function of the grid's tiles: force
 };
 
 }  // namespace scarp

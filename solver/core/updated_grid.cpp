@@ -21,6 +21,9 @@ constexpr double kMostNodes = 1 << 28;
 /// functions gets some mass: one without would have no velocity, but a slope.
 constexpr double kInside = 1e-12;
 
+/// How far beyond the lattice the centre of a particle without a size may be, in cells: rounding.
+constexpr double kSlack = 1e-9;
+
 constexpr std::size_t kPerTask = 4096;
 
 std::string text(const Vec3& x) { return "(" + shortest(x[0]) + ", " + shortest(x[1]) + ", " + shortest(x[2]) + ")"; }
@@ -74,31 +77,66 @@ void find_half_edges(UpdatedGrid& grid, const Model& model) {
 /// How far beyond the lattice a particle's centre may be, in cells. The uniform domain of a particle that a wall
 /// holds may reach over it.
 double slack_of(const UpdatedGrid& grid, std::size_t particle) {
-  return grid.half_edge.empty() ? 1e-9 : grid.half_edge[particle] + 1e-9;
+  return grid.half_edge.empty() ? kSlack : grid.half_edge[particle] + kSlack;
 }
 
-std::uint32_t key_of(const UpdatedGrid& grid, const Vec3& x, double slack) {
-  std::array<std::int32_t, 3> c{0, 0, 0};
-  for (int a = 0; a < grid.dimension; ++a) {
-    const double s = (x[a] - grid.origin[a]) / grid.cell;
+/// Of the cell that holds particle p, or kNone, and its place in it.
+std::uint32_t place(UpdatedGrid& grid, const Vec3& x, std::uint32_t p) {
+  const bool has_size = !grid.half_edge.empty();
+  const double slack = slack_of(grid, p), beyond = has_size ? grid.half_edge[p] : -kInside, per_cell = 1 / grid.cell;
+  std::array<std::int32_t, 3> block{0, 0, 0};
+  std::uint32_t inside = 0;
+  const int bits = grid.dimension == 2 ? 3 : 2;
+  for (int a = grid.dimension - 1; a >= 0; --a) {
+    const double s = (x[a] - grid.origin[a]) * per_cell;
     if (!(s >= -slack && s <= grid.cell_count[a] + slack)) return UpdatedGrid::kNone;
-    c[a] = std::clamp(static_cast<std::int32_t>(std::floor(s)), 0, grid.cell_count[a] - 1);
+    const std::int32_t c = std::clamp(static_cast<std::int32_t>(s), 0, grid.cell_count[a] - 1);
+    grid.xi[p][a] = std::clamp(s - c, -beyond, 1 + beyond);
+    block[a] = c >> bits;
+    inside = inside << bits | (c & (grid.block_edge - 1));
   }
-  return static_cast<std::uint32_t>(grid.lattice_cell(c));
+  return static_cast<std::uint32_t>(grid.lattice_block(block)) * UpdatedGrid::kBlockCells + inside;
+}
+
+kernels::PlaceSweep place_sweep(UpdatedGrid& grid, const Particles& particles) {
+  kernels::PlaceSweep sweep{};
+  sweep.position = particles.position.data()->data();
+  sweep.half_edge = grid.half_edge.empty() ? nullptr : grid.half_edge.data();
+  sweep.xi = grid.xi.data()->data();
+  sweep.keys = grid.cell_keys.data();
+  sweep.per_cell = 1 / grid.cell;
+  sweep.slack = kSlack;
+  sweep.inside = grid.half_edge.empty() ? kInside : 0;
+  for (int a = 0; a < 3; ++a) {
+    sweep.origin[a] = grid.origin[a];
+    sweep.cell_count[a] = grid.cell_count[a];
+    sweep.block_count[a] = grid.block_count[a];
+  }
+  return sweep;
+}
+
+/// Of the entries [begin, end) of the list of particles.
+void find_keys(UpdatedGrid& grid, const Particles& particles, std::size_t begin, std::size_t end, KeyBlock& found) {
+  for (std::size_t j = begin; j < end; ++j) {
+    const std::uint32_t p = grid.particles[j];
+    const std::uint32_t key = place(grid, particles.position[p], p);
+    if (key == UpdatedGrid::kNone) found.outside = std::min(found.outside, j);
+    found.changed |= key != grid.cell_keys[j];
+    grid.cell_keys[j] = key;
+  }
 }
 
 KeyBlock find_keys(UpdatedGrid& grid, const Particles& particles, int threads) {
   const std::size_t count = grid.particles.size();
   std::vector<KeyBlock>& found = grid.key_blocks;
   found.assign((count + kPerTask - 1) / kPerTask, {});
+  const kernels::PlaceSweep sweep = place_sweep(grid, particles);
   parallel_for(found.size(), threads, [&](std::size_t t) {
-    for (std::size_t j = t * kPerTask; j < std::min(count, (t + 1) * kPerTask); ++j) {
-      const std::uint32_t p = grid.particles[j];
-      const std::uint32_t key = key_of(grid, particles.position[p], slack_of(grid, p));
-      if (key == UpdatedGrid::kNone) found[t].outside = std::min(found[t].outside, j);
-      found[t].changed |= key != grid.cell_keys[j];
-      grid.cell_keys[j] = key;
-    }
+    const std::size_t begin = t * kPerTask, end = std::min(count, (t + 1) * kPerTask);
+    if (grid.kernels)
+      grid.kernels->particles.place[grid.dimension - 2](sweep, grid.particles.data(), begin, end, found[t]);
+    else
+      find_keys(grid, particles, begin, end, found[t]);
   });
   KeyBlock all;
   for (const KeyBlock& keys : found) {
@@ -108,74 +146,103 @@ KeyBlock find_keys(UpdatedGrid& grid, const Particles& particles, int threads) {
   return all;
 }
 
-std::uint32_t node_key(const UpdatedGrid& grid, const std::array<std::int32_t, 3>& cell, int k) {
-  const int w = grid.width;
-  return static_cast<std::uint32_t>(grid.lattice_node({cell[0] + k % w, cell[1] + k / w % w, cell[2] + k / (w * w)}));
+/// The cell `inside` a block of the lattice.
+std::array<std::int32_t, 3> cell_in(const UpdatedGrid& grid, const std::array<std::int32_t, 3>& block, int inside) {
+  const int e = grid.block_edge;
+  return {block[0] * e + inside % e, block[1] * e + inside / e % e, block[2] * e + inside / (e * e)};
 }
 
-/// Forgets the occupied cells and their nodes; touches nothing else of the lattice.
-void clear(UpdatedGrid& grid) {
-  for (const auto& c : grid.cells) grid.cell_of_lattice[grid.lattice_cell(c)] = UpdatedGrid::kNone;
-  for (const auto& n : grid.nodes) grid.node_of_lattice[grid.lattice_node(n)] = UpdatedGrid::kNone;
-  grid.cells.clear();
-  grid.nodes.clear();
+std::uint32_t block_of(UpdatedGrid& grid, std::uint32_t key) {
+  const std::uint32_t place = key / UpdatedGrid::kBlockCells;
+  std::uint32_t& block = grid.block_of_lattice[place];
+  if (block == UpdatedGrid::kNone) {
+    block = static_cast<std::uint32_t>(grid.blocks.size());
+    const auto nx = static_cast<std::uint32_t>(grid.block_count[0]),
+               ny = static_cast<std::uint32_t>(grid.block_count[1]);
+    grid.blocks.push_back({static_cast<std::int32_t>(place % nx), static_cast<std::int32_t>(place / nx % ny),
+                           static_cast<std::int32_t>(place / nx / ny)});
+    grid.counts.resize(grid.counts.size() + UpdatedGrid::kBlockCells, 0);
+  }
+  return block;
 }
 
-/// A stable counting sort of the particles by cell; cells stand in the order in which particles name them.
+/// A stable counting sort of the particles by cell; blocks stand in the order in which particles name them.
 void sort_into_cells(UpdatedGrid& grid) {
-  grid.cell_begin.assign(1, 0);
+  constexpr int in_block = UpdatedGrid::kBlockCells;
+  for (const auto& b : grid.blocks) grid.block_of_lattice[grid.lattice_block(b)] = UpdatedGrid::kNone;
+  grid.blocks.clear();
+  grid.counts.clear();
   for (std::uint32_t key : grid.cell_keys) {
-    std::uint32_t& cell = grid.cell_of_lattice[key];
-    if (cell == UpdatedGrid::kNone) {
-      cell = static_cast<std::uint32_t>(grid.cells.size());
-      const auto nx = static_cast<std::uint32_t>(grid.cell_count[0]),
-                 ny = static_cast<std::uint32_t>(grid.cell_count[1]);
-      grid.cells.push_back({static_cast<std::int32_t>(key % nx), static_cast<std::int32_t>(key / nx % ny),
-                            static_cast<std::int32_t>(key / nx / ny)});
-      grid.cell_begin.push_back(0);
+    const std::size_t block = block_of(grid, key);
+    ++grid.counts[block * in_block + key % in_block];
+  }
+  grid.cells.clear();
+  grid.occupied.clear();
+  grid.first_in_tile.clear();
+  grid.cell_begin.assign(1, 0);
+  grid.block_begin.assign(1, 0);
+  std::uint32_t begin = 0;
+  for (std::size_t b = 0; b < grid.blocks.size(); ++b) {
+    const auto place = static_cast<std::uint32_t>(grid.lattice_block(grid.blocks[b]));
+    for (int inside = 0; inside < in_block; ++inside) {
+      std::uint32_t& count = grid.counts[b * in_block + inside];
+      if (count == 0) continue;
+      const auto cell = cell_in(grid, grid.blocks[b], inside);
+      const int e = grid.block_edge, t = grid.tile_edge;
+      grid.cells.push_back(cell);
+      grid.occupied.push_back(place * in_block + inside);
+      grid.first_in_tile.push_back((cell[2] % e * t + cell[1] % e) * t + cell[0] % e);
+      const std::uint32_t own = count;
+      count = begin;
+      grid.cell_begin.push_back(begin += own);
     }
-    ++grid.cell_begin[cell + 1];
+    grid.block_begin.push_back(static_cast<std::uint32_t>(grid.cells.size()));
   }
-  // Ranges, then filled from the front: cell_begin[c] runs through the cell's range to the next one's begin.
-  std::size_t begin = 0;
-  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
-    const std::size_t count = grid.cell_begin[c + 1];
-    grid.cell_begin[c] = begin;
-    begin += count;
+  for (std::size_t j = 0; j < grid.particles.size(); ++j) {
+    const std::uint32_t key = grid.cell_keys[j];
+    const std::size_t block = grid.block_of_lattice[key / in_block];
+    grid.members[grid.counts[block * in_block + key % in_block]++] = grid.particles[j];
   }
-  for (std::size_t j = 0; j < grid.particles.size(); ++j)
-    grid.members[grid.cell_begin[grid.cell_of_lattice[grid.cell_keys[j]]]++] = grid.particles[j];
-  for (std::size_t c = grid.cells.size(); c > 0; --c) grid.cell_begin[c] = grid.cell_begin[c - 1];
-  grid.cell_begin[0] = 0;
+}
+
+/// Of one block: gives its tile's functions their nodes.
+void number_nodes_of(UpdatedGrid& grid, std::size_t block) {
+  const int w = grid.width, t = grid.tile_edge, deep = grid.dimension == 2 ? 1 : w;
+  std::uint32_t* tile = &grid.tile_nodes[block * grid.tile()];
+  for (std::uint32_t c = grid.block_begin[block]; c < grid.block_begin[block + 1]; ++c)
+    for (int k = 0; k < deep; ++k)
+      for (int j = 0; j < w; ++j)
+        for (int i = 0; i < w; ++i) {
+          std::uint32_t& entry = tile[grid.first_in_tile[c] + (k * t + j) * t + i];
+          if (entry != UpdatedGrid::kNone) continue;
+          const std::array<std::int32_t, 3> at{grid.cells[c][0] + i, grid.cells[c][1] + j, grid.cells[c][2] + k};
+          std::uint32_t& node = grid.node_of_lattice[grid.lattice_node(at)];
+          if (node == UpdatedGrid::kNone) {
+            node = static_cast<std::uint32_t>(grid.nodes.size());
+            grid.nodes.push_back(at);
+          }
+          entry = node;
+        }
 }
 
 void number_nodes(UpdatedGrid& grid) {
-  const int window = grid.window(), w = grid.width;
-  for (const auto& cell : grid.cells)
-    for (int k = 0; k < window; ++k) {
-      std::uint32_t& node = grid.node_of_lattice[node_key(grid, cell, k)];
-      if (node != UpdatedGrid::kNone) continue;
-      node = static_cast<std::uint32_t>(grid.nodes.size());
-      grid.nodes.push_back({cell[0] + k % w, cell[1] + k / w % w, cell[2] + k / (w * w)});
-    }
+  for (const auto& n : grid.nodes) grid.node_of_lattice[grid.lattice_node(n)] = UpdatedGrid::kNone;
+  grid.nodes.clear();
+  grid.tile_nodes.assign(grid.blocks.size() * grid.tile(), UpdatedGrid::kNone);
+  for (auto& colour : grid.colours) colour.clear();
+  for (std::size_t b = 0; b < grid.blocks.size(); ++b) {
+    const auto& place = grid.blocks[b];
+    grid.colours[(place[0] & 1) + 2 * (place[1] & 1) + 4 * (place[2] & 1)].push_back(static_cast<std::uint32_t>(b));
+    number_nodes_of(grid, b);
+  }
   const std::size_t nodes = grid.nodes.size();
-  grid.slots.resize(grid.cells.size() * window);
+  grid.tiles.resize(grid.tile_nodes.size());
+  grid.momentum_tiles.resize(grid.tile_nodes.size());
+  grid.sums.resize(nodes);
   grid.held.resize(nodes);
   grid.mass.resize(nodes);
   grid.velocity.resize(nodes);
   grid.velocity_updated.resize(nodes);
-}
-
-void find_places(UpdatedGrid& grid, const Particles& particles, int threads) {
-  parallel_for(grid.cells.size(), threads, [&](std::size_t c) {
-    for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
-      const std::uint32_t p = grid.members[m];
-      const double beyond = grid.half_edge.empty() ? -kInside : grid.half_edge[p];
-      for (int a = 0; a < grid.dimension; ++a)
-        grid.xi[m][a] =
-            std::clamp((particles.position[p][a] - grid.origin[a]) / grid.cell - grid.cells[c][a], -beyond, 1 + beyond);
-    }
-  });
 }
 
 }  // namespace
@@ -191,14 +258,18 @@ UpdatedGrid make_updated_grid(const Model& model, ShapeFunction shape, int threa
   choose_particles(grid, model);
   if (shape == ShapeFunction::gimp) find_half_edges(grid, model);
   find_held_axes(grid, model);
+  grid.block_edge = grid.dimension == 2 ? 8 : 4;
+  grid.tile_edge = grid.block_edge + grid.width - 1;
+  for (int a = 0; a < grid.dimension; ++a)
+    grid.block_count[a] = (grid.cell_count[a] + grid.block_edge - 1) / grid.block_edge;
   const auto product = [](const std::array<std::int32_t, 3>& n) {
     return static_cast<std::size_t>(n[0]) * n[1] * n[2];
   };
-  grid.cell_of_lattice.assign(product(grid.cell_count), UpdatedGrid::kNone);
+  grid.block_of_lattice.assign(product(grid.block_count), UpdatedGrid::kNone);
   grid.node_of_lattice.assign(product(grid.node_count), UpdatedGrid::kNone);
   grid.cell_keys.assign(grid.particles.size(), UpdatedGrid::kNone);
   grid.members.resize(grid.particles.size());
-  grid.xi.assign(grid.particles.size(), Vec3{0, 0, 0});
+  grid.xi.assign(model.particles.size(), Vec3{0, 0, 0});
   const std::int64_t outside = place_particles(grid, model.particles, threads);
   if (outside >= 0)
     throw Error("solve",
@@ -213,14 +284,15 @@ std::int64_t place_particles(UpdatedGrid& grid, const Particles& particles, int 
   const KeyBlock found = find_keys(grid, particles, threads);
   if (found.outside < grid.particles.size()) return grid.particles[found.outside];
   if (found.changed) {
-    clear(grid);
+    std::swap(grid.occupied, grid.occupied_before);
     sort_into_cells(grid);
-    number_nodes(grid);
-    hold_nodes(grid, threads);
-    ++grid.placings;
+    if (grid.occupied != grid.occupied_before) {
+      number_nodes(grid);
+      hold_nodes(grid, threads);
+      ++grid.placings;
+    }
   }
   grid.held_now = grid.held;
-  find_places(grid, particles, threads);
   return -1;
 }
 
@@ -243,10 +315,12 @@ double memory_bytes(const UpdatedGrid& grid) {
   const auto add = [&](const auto&... arrays) {
     ((bytes += static_cast<double>(arrays.size()) * sizeof(arrays[0])), ...);
   };
-  add(grid.particles, grid.half_edge, grid.held_by_set, grid.cell_of_lattice, grid.node_of_lattice, grid.cell_keys);
-  add(grid.key_blocks, grid.cells, grid.cell_begin, grid.members, grid.xi, grid.slots);
+  add(grid.particles, grid.half_edge, grid.held_by_set, grid.block_of_lattice, grid.node_of_lattice, grid.cell_keys);
+  add(grid.key_blocks, grid.blocks, grid.counts, grid.block_begin, grid.tile_nodes, grid.momentum_tiles, grid.tiles);
+  add(grid.cells, grid.cell_begin, grid.first_in_tile, grid.occupied, grid.occupied_before, grid.members, grid.xi);
   add(grid.affine, grid.filtered, grid.term, grid.kept);
-  add(grid.trial, grid.nodes, grid.held, grid.held_now, grid.mass, grid.velocity, grid.velocity_updated);
+  add(grid.volume, grid.trial, grid.nodes, grid.held, grid.held_now, grid.sums, grid.mass, grid.velocity,
+      grid.velocity_updated);
   return bytes;
 }
 

@@ -5,34 +5,36 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "solver/kernels/kernels.hpp"
 #include "solver/model/model.hpp"
 #include "solver/model/solver_options.hpp"
 
 namespace scarp {
 
-/// What a cell gives to a function of its window, and what a node has in all.
-struct NodeSums {
+/// What the particles of a block, or all of them, give to a node. A line of the cache, and a register of the widest
+/// kernels.
+struct alignas(64) NodeSums {
   double mass = 0;         ///< kg
   Vec3 momentum{0, 0, 0};  ///< kg m/s
   Vec3 force{0, 0, 0};     ///< N
+  double unused = 0;
 };
 
 /// What the search for cells found in a block of particles.
-struct KeyBlock {
-  std::size_t outside = std::numeric_limits<std::size_t>::max();  ///< first entry of `particles` outside the grid
-  bool changed = false;                                           ///< some particle is in another cell than before
-};
+using KeyBlock = kernels::PlaceResult;
 
 /// The one grid of all updated-Lagrangian bodies: the domain's lattice. "Node" is a shape function, whether or not
 /// it interpolates; a cell's window is the width^dimension functions that do not vanish on it, of index cell to
 /// cell + width - 1 on each axis (solver/shapes/shape.hpp).
 ///
-/// Only cells that hold particles, and the nodes of their windows, are kept, found anew after each step in the
-/// order of the particles. Cells write into slots of their own, and nodes add up the slots of the cells around them
-/// in a fixed order: no atomics, and the same bits for any number of threads. Nothing is allocated once the buffers
-/// have grown.
+/// Only cells that hold particles, and the nodes of their windows, are kept, found anew after each step. Cells stand
+/// in blocks of 64, 4 x 4 x 4 or 8 x 8 of the lattice; a block adds up what its particles give in a tile of its own,
+/// which holds the windows of all its cells, and tiles are added to the nodes colour by colour, no two blocks of a
+/// colour side by side: no atomics, and the same bits for any number of threads. Nothing is allocated once the
+/// buffers have grown.
 struct UpdatedGrid {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
@@ -52,22 +54,39 @@ struct UpdatedGrid {
   std::array<std::uint8_t, 6> held_by_face{};  ///< axes, bit 0 for x to bit 2 for z
   std::uint64_t placings = 0;                  ///< how often the occupied cells have changed
 
-  std::vector<std::uint32_t> cell_of_lattice;  ///< per cell of the lattice: index into cells, or kNone
-  std::vector<std::uint32_t> node_of_lattice;  ///< per node of the lattice: index into nodes, or kNone
-  std::vector<std::uint32_t> cell_keys;        ///< per entry of `particles`: its cell of the lattice, or kNone
+  static constexpr int kBlockCells = 64;
+  int block_edge = 4;                                ///< cells of a block per axis
+  int tile_edge = 5;                                 ///< functions of a tile per axis: block_edge + width - 1
+  std::array<std::int32_t, 3> block_count{1, 1, 1};  ///< of the lattice, per axis
+
+  std::vector<std::uint32_t> block_of_lattice;  ///< per block of the lattice: index into blocks, or kNone
+  std::vector<std::uint32_t> node_of_lattice;   ///< per node of the lattice: index into nodes, or kNone
+  std::vector<std::uint32_t> cell_keys;  ///< per entry of `particles`: block of the lattice x 64 + cell in it, or kNone
+  std::vector<Vec3> xi;                  ///< per particle of the model: place in its cell
   std::vector<KeyBlock> key_blocks;
 
-  // Of occupied cells:
+  // Of occupied blocks:
+  std::vector<std::array<std::int32_t, 3>> blocks;
+  std::vector<std::uint32_t> counts;       ///< per block and cell in it: particles, then where they begin
+  std::vector<std::uint32_t> block_begin;  ///< blocks + 1: range of a block in `cells`
+  std::vector<std::uint32_t> tile_nodes;   ///< per block and function of its tile: index into nodes, or kNone
+  std::vector<std::array<double, 4>>
+      momentum_tiles;           ///< the same of a sweep that maps momenta only; the last is unused
+  std::vector<NodeSums> tiles;  ///< per block and function of its tile
+  std::array<std::vector<std::uint32_t>, 8> colours;  ///< blocks by the parity of their place
+
+  // Of occupied cells, by block:
   std::vector<std::array<std::int32_t, 3>> cells;
-  std::vector<std::size_t> cell_begin;  ///< cells + 1: range of a cell in `members`
-  std::vector<std::uint32_t> members;   ///< particles by cell, within a cell ascending
-  std::vector<Vec3> xi;                 ///< per member: place in its cell
-  std::vector<NodeSums> slots;          ///< per cell and function of its window
+  std::vector<std::uint32_t> cell_begin;     ///< cells + 1: range of a cell in `members`
+  std::vector<std::uint32_t> first_in_tile;  ///< first function of the cell's window in the tile of its block
+  std::vector<std::uint32_t> occupied, occupied_before;  ///< keys of the cells
+  std::vector<std::uint32_t> members;                    ///< particles by cell, within a cell ascending
 
   // Of their nodes:
   std::vector<std::array<std::int32_t, 3>> nodes;
   std::vector<std::uint8_t> held;      ///< axes held for good
   std::vector<std::uint8_t> held_now;  ///< these, and what act_on_nodes adds until the particles are placed anew
+  std::vector<NodeSums> sums;          ///< of all tiles
   std::vector<double> mass;            ///< m_I, kg
   std::vector<Vec3> velocity;          ///< v_I, of the momentum mapped last
   std::vector<Vec3> velocity_updated;  ///< v~_I
@@ -78,12 +97,21 @@ struct UpdatedGrid {
 
   std::vector<double> task_maxima;  ///< of a sweep
 
+  // Of use_kernels:
+  const kernels::Kernels* kernels = nullptr;                          ///< what sweeps run on, or none
+  std::vector<std::optional<kernels::LawParameters>> law_parameters;  ///< per material, those that have a kernel
+  std::int32_t one_material = -1;                                     ///< of all particles, or -1
+  std::vector<double> volume;                                         ///< per particle of the model: J V0
+
   bool averages = false;    ///< see average_volumes
   std::vector<Mat3> trial;  ///< per member where it averages: I + dt L
 
   int window() const { return dimension == 2 ? width * width : width * width * width; }
-  std::size_t lattice_cell(const std::array<std::int32_t, 3>& c) const {
-    return (static_cast<std::size_t>(c[2]) * cell_count[1] + c[1]) * cell_count[0] + c[0];
+  std::size_t tile() const {
+    return static_cast<std::size_t>(tile_edge) * tile_edge * (dimension == 2 ? 1 : tile_edge);
+  }
+  std::size_t lattice_block(const std::array<std::int32_t, 3>& b) const {
+    return (static_cast<std::size_t>(b[2]) * block_count[1] + b[1]) * block_count[0] + b[0];
   }
   std::size_t lattice_node(const std::array<std::int32_t, 3>& n) const {
     return (static_cast<std::size_t>(n[2]) * node_count[1] + n[1]) * node_count[0] + n[0];

@@ -8,6 +8,7 @@
 #include "solver/core/current_wave_speed.hpp"
 #include "solver/core/f_bar.hpp"
 #include "solver/core/history.hpp"
+#include "solver/core/updated_kernels.hpp"
 #include "solver/core/updated_window.hpp"
 
 namespace scarp {
@@ -55,12 +56,6 @@ double deform(Particles& particles, std::size_t p, const Law& law, const Mat3& F
   return std::isfinite(c2 + sigma[0] + sigma[1] + sigma[2] + sigma[3] + sigma[4] + sigma[5]) ? c2 : -1;
 }
 
-void note(UpdatedOutcome& outcome, double c2, std::size_t p) {
-  outcome.largest_wave_speed_squared = std::max(outcome.largest_wave_speed_squared, c2);
-  const auto index = static_cast<std::int64_t>(p);
-  if (c2 < 0 && (outcome.bad_particle < 0 || index < outcome.bad_particle)) outcome.bad_particle = index;
-}
-
 /// Gives the increments of cell c's members the mean change of volume, sum V det f / sum V; the Cauchy stress does work
 /// per current volume, so that cell_mean_stress is what makes the work of the forces that of the laws.
 template <int D>
@@ -80,11 +75,11 @@ void average_increments(const Particles& particles, UpdatedGrid& grid, std::size
 
 template <int D, class S>
 void deform_cell(Particles& particles, UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, double dt, bool move,
-                 std::size_t c, UpdatedOutcome& outcome) {
+                 std::size_t b, std::size_t c, UpdatedOutcome& outcome) {
   const double per_dt = move ? 1 / dt : 0;
   Vec3 v[kWindow<D, S>];
   if (move)
-    for (int k = 0; k < kWindow<D, S>; ++k) v[k] = grid.velocity[window_node<D, S>(grid, c, k)];
+    for (int k = 0; k < kWindow<D, S>; ++k) v[k] = grid.velocity[window_node<D, S>(grid, b, c, k)];
   if (move && grid.averages) {
     for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m)
       grid.trial[m] = increment(velocity_gradient<D, S>(grid, c, m, v), dt);
@@ -98,16 +93,25 @@ void deform_cell(Particles& particles, UpdatedGrid& grid, const std::vector<Prep
                                    : advanced(old, velocity_gradient<D, S>(grid, c, m, v), dt);
     const double c2 =
         std::visit([&](const auto& law) { return deform(particles, p, law, F, per_dt); }, laws[particles.material[p]]);
+    if (grid.kernels) grid.volume[p] = determinant(F) * particles.reference_volume[p];
     note(outcome, c2, p);
   }
 }
 
 UpdatedOutcome sweep(Particles& particles, UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, double dt,
                      bool move, int threads) {
-  std::vector<UpdatedOutcome> tasks(updated_tasks(grid));
+  std::vector<UpdatedOutcome> tasks(grid.blocks.size());
+  const bool packed = move && grid.kernels && !grid.averages;
+  const kernels::ParticleSweep kernel_sweep = particle_sweep(particles, grid, {}, dt);
   with_shape(grid, [&]<int D, class S>() {
-    for_each_updated_cell(grid, threads, [&](std::size_t t, std::size_t c) {
-      deform_cell<D, S>(particles, grid, laws, dt, move, c, tasks[t]);
+    parallel_for(grid.blocks.size(), threads, [&](std::size_t b) {
+      const auto one_by_one = [&](std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t c = begin; c < end; ++c) deform_cell<D, S>(particles, grid, laws, dt, move, b, c, tasks[b]);
+      };
+      if (packed)
+        deform_block(grid, kernel_sweep, particles, b, tasks[b], one_by_one);
+      else
+        one_by_one(grid.block_begin[b], grid.block_begin[b + 1]);
     });
   });
   UpdatedOutcome all;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "solver/core/updated_grid.hpp"
@@ -14,6 +15,13 @@ struct UpdatedOutcome {
   double largest_wave_speed_squared = 0;  ///< (m/s)^2, in the current configuration
   std::int64_t bad_particle = -1;         ///< the first with J <= 0 or something not finite; -1 if all is well
 };
+
+/// A particle's c^2, or -1 where its state is no longer valid.
+inline void note(UpdatedOutcome& outcome, double c2, std::size_t p) {
+  outcome.largest_wave_speed_squared = std::max(outcome.largest_wave_speed_squared, c2);
+  const auto index = static_cast<std::int64_t>(p);
+  if (c2 < 0 && (outcome.bad_particle < 0 || index < outcome.bad_particle)) outcome.bad_particle = index;
+}
 
 /// Method.md 1.1, (5) and (6): L = sum v_I x grad phi_Ip, F <- (I + dt L) F, the law's stress.
 /// @param laws  prepared, in the order of Model::materials

@@ -7,6 +7,7 @@
 
 #include "solver/core/f_bar.hpp"
 #include "solver/core/node_step.hpp"
+#include "solver/core/updated_kernels.hpp"
 #include "solver/core/updated_window.hpp"
 #include "solver/materials/tensor.hpp"
 
@@ -52,10 +53,10 @@ void subtract_product(Vec3& a, const Sym6& S, const Vec3& g) {
   }
 }
 
+/// `tile` is that of the cell's block.
 template <int D, class S>
-void map_cell(const Particles& particles, UpdatedGrid& grid, std::size_t c) {
-  constexpr int window = kWindow<D, S>;
-  NodeSums sums[window];
+void map_cell(const Particles& particles, const UpdatedGrid& grid, std::size_t c, NodeSums* tile) {
+  NodeSums* const window = tile + grid.first_in_tile[c];
   const double cell_mean = grid.averages ? cell_mean_stress<D>(particles, grid, c) : 0;
   for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
     const std::uint32_t p = grid.members[m];
@@ -63,35 +64,35 @@ void map_cell(const Particles& particles, UpdatedGrid& grid, std::size_t c) {
     const Vec3 momentum = mass * particles.velocity[p];
     const Sym6 stress = volume_times_stress<D>(particles, grid, p, cell_mean);
     WindowWeights<D, S>(grid, c, m).each([&](int k, double phi, const Vec3& gradient) {
-      sums[k].mass += phi * mass;
-      for (int d = 0; d < D; ++d) sums[k].momentum[d] += phi * momentum[d];
-      subtract_product<D>(sums[k].force, stress, gradient);
+      NodeSums& sums = window[in_tile<D, S>(k)];
+      sums.mass += phi * mass;
+      for (int d = 0; d < D; ++d) sums.momentum[d] += phi * momentum[d];
+      subtract_product<D>(sums.force, stress, gradient);
     });
   }
-  std::copy(sums, sums + window, &grid.slots[c * window]);
 }
 
 template <int D, class S>
-void map_forces_of_cell(const Particles& particles, UpdatedGrid& grid, std::size_t c) {
-  constexpr int window = kWindow<D, S>;
-  Vec3 force[window]{};
+void map_forces_of_cell(const Particles& particles, const UpdatedGrid& grid, std::size_t c, NodeSums* tile) {
+  NodeSums* const window = tile + grid.first_in_tile[c];
   const double cell_mean = grid.averages ? cell_mean_stress<D>(particles, grid, c) : 0;
   for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
     const Sym6 stress = volume_times_stress<D>(particles, grid, grid.members[m], cell_mean);
     WindowWeights<D, S>(grid, c, m).each([&](int k, double, const Vec3& gradient) {
-      subtract_product<D>(force[k], stress, gradient);
+      subtract_product<D>(window[in_tile<D, S>(k)].force, stress, gradient);
     });
   }
-  for (int k = 0; k < window; ++k) grid.slots[c * window + k].force = force[k];
 }
 
 /// The largest |v_p|^2.
 template <int D, class S>
-double advance_cell(Particles& particles, UpdatedGrid& grid, VelocityUpdate update, double dt, std::size_t c) {
+double advance_cell(Particles& particles, const UpdatedGrid& grid, VelocityUpdate update, double dt, std::size_t b,
+                    std::size_t c, std::array<double, 4>* tile) {
   constexpr int window = kWindow<D, S>;
-  Vec3 updated[window], change[window], momentum[window]{};
+  Vec3 updated[window], change[window];
+  std::array<double, 4>* const sums = tile + grid.first_in_tile[c];
   for (int k = 0; k < window; ++k) {
-    const std::uint32_t node = window_node<D, S>(grid, c, k);
+    const std::uint32_t node = window_node<D, S>(grid, b, c, k);
     updated[k] = grid.velocity_updated[node];
     change[k] = updated[k] - update.less * grid.velocity[node];
     if (!grid.filtered.empty()) change[k] = change[k] + grid.filtered[node];
@@ -113,25 +114,68 @@ double advance_cell(Particles& particles, UpdatedGrid& grid, VelocityUpdate upda
     fastest = std::max(fastest, dot(v, v));
     const Vec3 mv = particles.mass[p] * v;
     weights.each_value([&](int k, double phi) {
-      for (int d = 0; d < D; ++d) momentum[k][d] += phi * mv[d];
+      for (int d = 0; d < D; ++d) sums[in_tile<D, S>(k)][d] += phi * mv[d];
     });
   }
-  for (int k = 0; k < window; ++k) grid.slots[c * window + k].momentum = momentum[k];
   return fastest;
+}
+
+/// The tiles to the nodes' sums by a kernel, like for_each_tile_node.
+template <class Kernel, class Sums>
+void add_tiles(UpdatedGrid& grid, Kernel add, const std::vector<Sums>& tiles, int threads) {
+  const std::size_t tile = grid.tile();
+  for (const auto& colour : grid.colours)
+    parallel_for(colour.size(), threads, [&](std::size_t i) {
+      const std::size_t begin = colour[i] * tile;
+      add(reinterpret_cast<const double*>(&tiles[begin]), &grid.tile_nodes[begin], tile,
+          reinterpret_cast<double*>(grid.sums.data()));
+    });
 }
 
 }  // namespace
 
-void map_to_nodes(const Particles& particles, UpdatedGrid& grid, int threads) {
-  with_shape(grid, [&]<int D, class S>() {
-    for_each_updated_cell(grid, threads, [&](std::size_t, std::size_t c) { map_cell<D, S>(particles, grid, c); });
+void add_momentum_tiles(UpdatedGrid& grid, int threads) {
+  if (grid.kernels) return add_tiles(grid, grid.kernels->particles.add_momenta, grid.momentum_tiles, threads);
+  for_each_tile_node(grid, threads, [&](std::uint32_t node, std::size_t t) {
+    for (int d = 0; d < 3; ++d) grid.sums[node].momentum[d] += grid.momentum_tiles[t][d];
+  });
+}
+
+void map_to_nodes(Particles& particles, UpdatedGrid& grid, int threads) {
+  const kernels::ParticleSweep sweep = particle_sweep(particles, grid, {}, 0);
+  const auto clear = [](NodeSums& sums) { sums = {}; };
+  map_blocks(
+      grid, grid.tiles, threads,
+      [&]<int D, class S>(std::size_t b, NodeSums* tile) {
+        if (grid.kernels && !grid.averages)
+          return grid.kernels->particles.map[plane_or_space(grid)][shape_index(grid)](sweep, cells_of(grid, b, tile));
+        for (std::size_t c = grid.block_begin[b]; c < grid.block_begin[b + 1]; ++c)
+          map_cell<D, S>(particles, grid, c, tile);
+      },
+      clear);
+  for_each_updated_node(grid, threads, [&](std::size_t i) { clear(grid.sums[i]); });
+  if (grid.kernels) return add_tiles(grid, grid.kernels->particles.add_tile, grid.tiles, threads);
+  for_each_tile_node(grid, threads, [&](std::uint32_t node, std::size_t t) {
+    NodeSums& sums = grid.sums[node];
+    const NodeSums& more = grid.tiles[t];
+    sums.mass += more.mass;
+    for (int d = 0; d < 3; ++d) sums.momentum[d] += more.momentum[d];
+    for (int d = 0; d < 3; ++d) sums.force[d] += more.force[d];
   });
 }
 
 void map_forces(const Particles& particles, UpdatedGrid& grid, int threads) {
-  with_shape(grid, [&]<int D, class S>() {
-    for_each_updated_cell(grid, threads,
-                          [&](std::size_t, std::size_t c) { map_forces_of_cell<D, S>(particles, grid, c); });
+  const auto clear = [](NodeSums& sums) { sums.force = {0, 0, 0}; };
+  map_blocks(
+      grid, grid.tiles, threads,
+      [&]<int D, class S>(std::size_t b, NodeSums* tile) {
+        for (std::size_t c = grid.block_begin[b]; c < grid.block_begin[b + 1]; ++c)
+          map_forces_of_cell<D, S>(particles, grid, c, tile);
+      },
+      clear);
+  for_each_updated_node(grid, threads, [&](std::size_t i) { clear(grid.sums[i]); });
+  for_each_tile_node(grid, threads, [&](std::uint32_t node, std::size_t t) {
+    grid.sums[node].force = grid.sums[node].force + grid.tiles[t].force;
   });
 }
 
@@ -151,14 +195,16 @@ void add_particle_forces(UpdatedGrid& grid, const std::vector<Vec3>& force, int 
 }
 
 void find_node_velocities(UpdatedGrid& grid, int threads) {
-  for_each_updated_node(grid, threads, [&](std::size_t i, const NodeSums& sum) {
+  for_each_updated_node(grid, threads, [&](std::size_t i) {
+    const NodeSums& sum = grid.sums[i];
     grid.mass[i] = sum.mass;
     grid.velocity[i] = sum.mass > 0 ? free_part((1 / sum.mass) * sum.momentum, grid.held_now[i]) : Vec3{0, 0, 0};
   });
 }
 
 void advance_nodes(UpdatedGrid& grid, const Vec3& gravity, double dt, int threads) {
-  for_each_updated_node(grid, threads, [&](std::size_t i, const NodeSums& sum) {
+  for_each_updated_node(grid, threads, [&](std::size_t i) {
+    const NodeSums& sum = grid.sums[i];
     grid.velocity_updated[i] =
         sum.mass > 0 ? grid.velocity[i] + dt * ((1 / sum.mass) * sum.force + gravity) : Vec3{0, 0, 0};
     grid.velocity_updated[i] = free_part(grid.velocity_updated[i], grid.held[i]);
@@ -166,12 +212,22 @@ void advance_nodes(UpdatedGrid& grid, const Vec3& gravity, double dt, int thread
 }
 
 double advance_particles(Particles& particles, UpdatedGrid& grid, VelocityUpdate update, double dt, int threads) {
-  grid.task_maxima.assign(updated_tasks(grid), 0);
-  with_shape(grid, [&]<int D, class S>() {
-    for_each_updated_cell(grid, threads, [&](std::size_t t, std::size_t c) {
-      grid.task_maxima[t] = std::max(grid.task_maxima[t], advance_cell<D, S>(particles, grid, update, dt, c));
-    });
-  });
+  grid.task_maxima.assign(grid.blocks.size(), 0);
+  const kernels::ParticleSweep sweep = particle_sweep(particles, grid, update, dt);
+  map_blocks(
+      grid, grid.momentum_tiles, threads,
+      [&]<int D, class S>(std::size_t b, std::array<double, 4>* tile) {
+        double& fastest = grid.task_maxima[b];
+        if (grid.kernels && grid.filtered.empty())
+          fastest =
+              grid.kernels->particles.advance[plane_or_space(grid)][shape_index(grid)](sweep, cells_of(grid, b, tile));
+        else
+          for (std::size_t c = grid.block_begin[b]; c < grid.block_begin[b + 1]; ++c)
+            fastest = std::max(fastest, advance_cell<D, S>(particles, grid, update, dt, b, c, tile));
+      },
+      [](std::array<double, 4>& momentum) { momentum = {}; });
+  for_each_updated_node(grid, threads, [&](std::size_t i) { grid.sums[i].momentum = {0, 0, 0}; });
+  add_momentum_tiles(grid, threads);
   double fastest = 0;
   for (double v2 : grid.task_maxima) fastest = std::max(fastest, v2);
   return std::sqrt(fastest);

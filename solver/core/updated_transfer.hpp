@@ -11,7 +11,7 @@
 namespace scarp {
 
 /// (1) Slots <- sum_p of phi_Ip m_p, phi_Ip m_p v_p and - V_p sigma_p grad phi_Ip.
-void map_to_nodes(const Particles& particles, UpdatedGrid& grid, int threads);
+void map_to_nodes(Particles& particles, UpdatedGrid& grid, int threads);
 
 /// (1) The slots' forces only, for stresses that have changed since.
 void map_forces(const Particles& particles, UpdatedGrid& grid, int threads);

@@ -26,7 +26,7 @@ class WindowWeights {
     double half = 0;
     if constexpr (S::has_size) half = grid.half_edge[grid.members[m]];
     for (int a = 0; a < D; ++a) {
-      S::weigh(grid.xi[m][a], grid.cells[c][a], grid.cell_count[a], half, value_[a], slope_[a]);
+      S::weigh(grid.xi[grid.members[m]][a], grid.cells[c][a], grid.cell_count[a], half, value_[a], slope_[a]);
       for (double& slope : slope_[a]) slope *= per_cell;
     }
   }
@@ -79,73 +79,78 @@ void with_shape(const UpdatedGrid& grid, F&& f) {
   }
 }
 
-/// Index into the grid's nodes of function k of the window of cell c.
+/// Of function k of a cell's window from the first, in its block's tile.
 template <int D, class S>
-std::uint32_t window_node(const UpdatedGrid& grid, std::size_t c, int k) {
-  const auto& cell = grid.cells[c];
-  return grid.node_of_lattice[grid.lattice_node(
-      {cell[0] + k % S::width, cell[1] + k / S::width % S::width, cell[2] + (D == 2 ? 0 : k / (S::width * S::width))})];
+constexpr std::uint32_t in_tile(int k) {
+  constexpr int edge = (D == 2 ? 8 : 4) + S::width - 1, w = S::width;
+  return static_cast<std::uint32_t>(k % w + edge * (k / w % w) + edge * edge * (k / (w * w)));
 }
 
-/// f(slot) of all occupied cells that give to node n, in a fixed order; such a cell lies at most width - 1 before it on
-/// each axis.
-template <int D, class S, class F>
-void each_slot_of_node(const UpdatedGrid& grid, const std::array<std::int32_t, 3>& n, F&& f) {
-  constexpr int w = S::width;
-  for (int k = 0; k < kWindow<D, S>; ++k) {
-    const std::array<int, 3> place{k % w, k / w % w, D == 2 ? 0 : k / (w * w)};
-    std::array<std::int32_t, 3> cell{0, 0, 0};
-    bool inside = true;
-    for (int a = 0; a < D; ++a) {
-      cell[a] = n[a] - place[a];
-      inside = inside && cell[a] >= 0 && cell[a] < grid.cell_count[a];
-    }
-    if (!inside) continue;
-    const std::uint32_t c = grid.cell_of_lattice[grid.lattice_cell(cell)];
-    if (c != UpdatedGrid::kNone) f(static_cast<std::size_t>(c) * kWindow<D, S> + k);
-  }
+/// Index into the grid's nodes of function k of the window of cell c, which is of block b.
+template <int D, class S>
+std::uint32_t window_node(const UpdatedGrid& grid, std::size_t b, std::size_t c, int k) {
+  return grid.tile_nodes[b * grid.tile() + grid.first_in_tile[c] + in_tile<D, S>(k)];
 }
 
-/// Cells that one thread sweeps at a time; the list is fixed by the particles alone.
-inline constexpr std::size_t kUpdatedCellsPerTask = 32;
-
-inline std::size_t updated_tasks(const UpdatedGrid& grid) {
-  return (grid.cells.size() + kUpdatedCellsPerTask - 1) / kUpdatedCellsPerTask;
-}
-
-/// f(task, cell) over all cells.
+/// f(block, cell) over all cells; one thread has a block.
 template <class F>
 void for_each_updated_cell(const UpdatedGrid& grid, int threads, F&& f) {
-  parallel_for(updated_tasks(grid), threads, [&](std::size_t t) {
-    const std::size_t end = std::min(grid.cells.size(), (t + 1) * kUpdatedCellsPerTask);
-    for (std::size_t c = t * kUpdatedCellsPerTask; c < end; ++c) f(t, c);
+  parallel_for(grid.blocks.size(), threads, [&](std::size_t b) {
+    for (std::uint32_t c = grid.block_begin[b]; c < grid.block_begin[b + 1]; ++c) f(b, c);
   });
 }
 
-/// Sum of the slots of node n.
-template <int D, class S>
-NodeSums sum_of_slots(const UpdatedGrid& grid, const std::array<std::int32_t, 3>& n) {
-  NodeSums sum;
-  each_slot_of_node<D, S>(grid, n, [&](std::size_t s) {
-    const NodeSums& slot = grid.slots[s];
-    sum.mass += slot.mass;
-    sum.momentum = sum.momentum + slot.momentum;
-    sum.force = sum.force + slot.force;
+/// f(node, place in the tiles) over the functions of all tiles that have a node, those of a node in a fixed order and
+/// never at the same time.
+template <class F>
+void for_each_tile_node(const UpdatedGrid& grid, int threads, F&& f) {
+  const std::size_t tile = grid.tile();
+  for (const auto& colour : grid.colours)
+    parallel_for(colour.size(), threads, [&](std::size_t i) {
+      const std::size_t begin = colour[i] * tile;
+      for (std::size_t t = begin; t < begin + tile; ++t)
+        if (grid.tile_nodes[t] != UpdatedGrid::kNone) f(grid.tile_nodes[t], t);
+    });
+}
+
+/// f.operator()<D, S>(block, its tile) over all blocks, with tiles set to zero by clear(sums) before.
+template <class Sums, class F, class Clear>
+void map_blocks(const UpdatedGrid& grid, std::vector<Sums>& tiles, int threads, F&& f, Clear&& clear) {
+  const std::size_t tile = grid.tile();
+  with_shape(grid, [&]<int D, class S>() {
+    parallel_for(grid.blocks.size(), threads, [&](std::size_t b) {
+      Sums* const begin = &tiles[b * tile];
+      for (Sums* sums = begin; sums != begin + tile; ++sums) clear(*sums);
+      f.template operator()<D, S>(b, begin);
+    });
   });
-  return sum;
+}
+
+/// Adds momentum_tiles to the momenta of the nodes' sums.
+void add_momentum_tiles(UpdatedGrid& grid, int threads);
+
+/// Adds what f.operator()<D, S>(block, cell, momenta of its window) gives to the momenta of the nodes' sums; function k
+/// of the window is in_tile(k).
+template <class F>
+void map_more_momenta(UpdatedGrid& grid, int threads, F&& f) {
+  map_blocks(
+      grid, grid.momentum_tiles, threads,
+      [&]<int D, class S>(std::size_t b, std::array<double, 4>* tile) {
+        for (std::uint32_t c = grid.block_begin[b]; c < grid.block_begin[b + 1]; ++c)
+          f.template operator()<D, S>(b, c, tile + grid.first_in_tile[c]);
+      },
+      [](std::array<double, 4>& momentum) { momentum = {}; });
+  add_momentum_tiles(grid, threads);
 }
 
 inline constexpr std::size_t kUpdatedNodesPerTask = 1024;
 
-/// f(node, sum of its slots).
+/// f(node) over all nodes.
 template <class F>
-void for_each_updated_node(UpdatedGrid& grid, int threads, F&& f) {
+void for_each_updated_node(const UpdatedGrid& grid, int threads, F&& f) {
   const std::size_t nodes = grid.nodes.size();
-  with_shape(grid, [&]<int D, class S>() {
-    parallel_for((nodes + kUpdatedNodesPerTask - 1) / kUpdatedNodesPerTask, threads, [&](std::size_t t) {
-      for (std::size_t i = t * kUpdatedNodesPerTask; i < std::min(nodes, (t + 1) * kUpdatedNodesPerTask); ++i)
-        f(i, sum_of_slots<D, S>(grid, grid.nodes[i]));
-    });
+  parallel_for((nodes + kUpdatedNodesPerTask - 1) / kUpdatedNodesPerTask, threads, [&](std::size_t t) {
+    for (std::size_t i = t * kUpdatedNodesPerTask; i < std::min(nodes, (t + 1) * kUpdatedNodesPerTask); ++i) f(i);
   });
 }
 

@@ -6,12 +6,13 @@
 namespace scarp {
 namespace {
 
-/// Slots' momenta <- sum_p phi_Ip m_p (S term)_p.
+/// Adds to the momenta of the window sum_p phi_Ip m_p (S term)_p.
 template <int D, class S>
-void map_term_of_cell(const Particles& particles, UpdatedGrid& grid, std::size_t c) {
+void map_term_of_cell(const Particles& particles, const UpdatedGrid& grid, std::size_t b, std::size_t c,
+                      std::array<double, 4>* momenta) {
   constexpr int window = kWindow<D, S>;
-  Vec3 term[window], momentum[window]{};
-  for (int k = 0; k < window; ++k) term[k] = grid.term[window_node<D, S>(grid, c, k)];
+  Vec3 term[window];
+  for (int k = 0; k < window; ++k) term[k] = grid.term[window_node<D, S>(grid, b, c, k)];
   for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
     const WindowWeights<D, S> weights(grid, c, m);
     Vec3 v{0, 0, 0};
@@ -20,10 +21,9 @@ void map_term_of_cell(const Particles& particles, UpdatedGrid& grid, std::size_t
     });
     const Vec3 mv = particles.mass[grid.members[m]] * v;
     weights.each_value([&](int k, double phi) {
-      for (int d = 0; d < D; ++d) momentum[k][d] += phi * mv[d];
+      for (int d = 0; d < D; ++d) momenta[in_tile<D, S>(k)][d] += phi * mv[d];
     });
   }
-  for (int k = 0; k < window; ++k) grid.slots[c * window + k].momentum = momentum[k];
 }
 
 }  // namespace
@@ -37,11 +37,12 @@ void filter_velocities(const Particles& particles, UpdatedGrid& grid, int order,
     grid.filtered[i] = xpic_factor(order, 1) * grid.term[i];
   }
   for (int k = 2; k <= order; ++k) {
-    with_shape(grid, [&]<int D, class S>() {
-      for_each_updated_cell(grid, threads,
-                            [&](std::size_t, std::size_t c) { map_term_of_cell<D, S>(particles, grid, c); });
+    for_each_updated_node(grid, threads, [&](std::size_t i) { grid.sums[i].momentum = {0, 0, 0}; });
+    map_more_momenta(grid, threads, [&]<int D, class S>(std::size_t b, std::size_t c, std::array<double, 4>* momenta) {
+      map_term_of_cell<D, S>(particles, grid, b, c, momenta);
     });
-    for_each_updated_node(grid, threads, [&](std::size_t i, const NodeSums& sum) {
+    for_each_updated_node(grid, threads, [&](std::size_t i) {
+      const NodeSums& sum = grid.sums[i];
       if (!(sum.mass > 0)) return;
       grid.term[i] = with_held((1 / sum.mass) * sum.momentum, grid.velocity[i], grid.kept[i]);
       grid.filtered[i] = grid.filtered[i] + xpic_factor(order, k) * grid.term[i];

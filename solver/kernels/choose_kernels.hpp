@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "solver/kernels/nodal.hpp"
+#include "solver/kernels/kernels.hpp"
 
 namespace scarp::kernels {
 

@@ -115,21 +115,4 @@ struct EnergyResult {
   double plastic = 0;
 };
 
-/// The kernels of one instruction set. Ranges of nodes begin and end at multiples of kSegment.
-struct Kernels {
-  const char* name = "";  ///< "x86-64-v4", ...
-  int lanes = 1;
-  /// [law][D - 2][whether laws see the mean volume ratio of their cell]
-  void (*stress[kLawKinds][2][2])(const StressSweep&, const Segment*, const Segment*, StressResult&);
-  void (*momentum[2])(const MomentumSweep&, const Segment*, const Segment*);  ///< [D - 2]
-  void (*forces)(const ForceSweep&, std::size_t begin, std::size_t end, ForceResult&);
-  void (*velocities)(const VelocitySweep&, std::size_t begin, std::size_t end);
-  void (*energy[kLawKinds][2][2])(const StressSweep&, const Segment*, const Segment*, EnergyResult&);
-  // Of `count` numbers, a multiple of kSegment; for tests and benchmarks.
-  void (*natural_log)(const double* x, double* result, std::size_t count);
-  void (*exponential)(const double* x, double* result, std::size_t count);
-  /// `rounds` times twelve independent fused multiply-adds per lane: what the processor can do at best. Some number.
-  double (*multiply_add)(std::int64_t rounds);
-};
-
 }  // namespace scarp::kernels

@@ -4,8 +4,9 @@
 // The laws of solver/materials on packs of points, without branches but those that all lanes take: same formulas, same
 // return maps, to rounding. Each law's scalar form is its oracle (tests/unit/kernels).
 //
-// A law gets F, cof F and J of a point and gives P = J sigma F^-T; D = 2 is plane strain, where entries 2, 5, 6, 7 of F
-// are zero, F33 = 1, and P's out-of-plane entries are not asked for. Parameters are read once per segment.
+// A law gets the elastic left Cauchy-Green tensor b_e of a trial step and J from a History, which also takes what is
+// remembered, and gives tau = J sigma. D = 2 is plane strain, where entries 2, 5, 6, 7 of F are zero, F33 = 1, and
+// entries across the plane are not asked for. Parameters are read once per segment or cell.
 #pragma once
 
 #include "solver/kernels/nodal.hpp"
@@ -15,6 +16,59 @@ namespace SCARP_KERNELS {
 namespace {
 
 using scarp::kernels::kSegment;
+
+/// Of total-Lagrangian bodies, whose F is all that moves: C_p^-1 in memory, with b_e = F C_p^-1 F^T.
+template <int D>
+struct ReferenceHistory {
+  static constexpr int n = Symmetric<D>::n;
+  const Deformation<D>& d;
+  double* at;  ///< [field][lane]
+
+  SCARP_INLINE Symmetric<D> elastic() const {
+    Symmetric<D> c;
+    for (int i = 0; i < n; ++i) c.a[i] = load(at + i * kSegment);
+    return push_forward<D>(d.F, c);
+  }
+  SCARP_INLINE Pack plastic_strain() const { return load(at + n * kSegment); }
+
+  /// In the lanes of `where`, b_e, and what is added to strain and work.
+  SCARP_INLINE void remember(const Symmetric<D>& b_e, Mask where, Pack strain, Pack work) {
+    const Symmetric<D> c = pull_back<D>(d, b_e);
+    for (int i = 0; i < n; ++i) store(at + i * kSegment, choose(where, c.a[i], load(at + i * kSegment)));
+    double *a = at + n * kSegment, *w = a + kSegment;
+    store(a, load(a) + choose(where, strain, Pack{}));
+    store(w, load(w) + choose(where, work, Pack{}));
+  }
+};
+
+/// The same where b_e itself is at hand, or for a law without a history F F^T.
+template <int D>
+struct CurrentHistory {
+  Symmetric<D> b_e;
+  Pack strain, work;  ///< equivalent plastic strain, plastic work
+
+  SCARP_INLINE const Symmetric<D>& elastic() const { return b_e; }
+  SCARP_INLINE Pack plastic_strain() const { return strain; }
+  SCARP_INLINE void remember(const Symmetric<D>& b, Mask where, Pack more_strain, Pack more_work) {
+    for (int i = 0; i < Symmetric<D>::n; ++i) b_e.a[i] = choose(where, b.a[i], b_e.a[i]);
+    strain += choose(where, more_strain, Pack{});
+    work += choose(where, more_work, Pack{});
+  }
+};
+
+/// P by way of tau; a law may do better.
+template <int D, class Law>
+SCARP_INLINE void stress_of(const Law& law, const Deformation<D>& d, double* history, Pack (&P)[9]) {
+  if constexpr (requires { law.template stress<D>(d, P); }) {
+    law.template stress<D>(d, P);
+  } else if constexpr (Law::template fields<D> == 0) {
+    CurrentHistory<D> none{left_product<D>(d.F), Pack{}, Pack{}};
+    first_piola<D>(law.template kirchhoff<D>(none, d.J), d, P);
+  } else {
+    ReferenceHistory<D> memory{d, history};
+    first_piola<D>(law.template kirchhoff<D>(memory, d.J), d, P);
+  }
+}
 
 /// Simo and Pister's neo-Hookean solid, see solver/materials/neo_hookean.hpp.
 struct NeoHookean {
@@ -26,15 +80,19 @@ struct NeoHookean {
   explicit NeoHookean(const double* p) : mu(all(p[0])), lambda(all(p[1])), per_density(all(p[2])) {}
 
   template <int D>
-  SCARP_INLINE void stress(const Deformation<D>& d, double*, Pack (&P)[9]) const {
+  SCARP_INLINE void stress(const Deformation<D>& d, Pack (&P)[9]) const {
     const Pack factor = (lambda * log_near_one(d.J) - mu) * d.per_J;
     for_entries<D>([&](int i) { P[i] = mu * d.F[i] + factor * d.cofactor[i]; });
   }
-
   template <int D>
-  SCARP_INLINE Pack speed_squared(const Deformation<D>& d, const double*) const {
-    const Pack along = mu + choose(lambda > 0.0, lambda * d.per_J, -lambda * d.J);
-    return (mu + along * inverse_square_of_least_stretch(d)) * per_density;
+  SCARP_INLINE Symmetric<D> kirchhoff(CurrentHistory<D>& history, Pack J) const {
+    return scaled<D>(history.b_e, mu, lambda * log_near_one(J) - mu);
+  }
+
+  template <int D, class History>
+  SCARP_INLINE Pack speed_squared(const Stretch& s, const History&) const {
+    const Pack along = mu + choose(lambda > 0.0, lambda * s.per_J, -lambda * s.J);
+    return (mu + along * s.per_least_squared()) * per_density;
   }
 
   template <int D>
@@ -58,17 +116,17 @@ struct Hencky {
   explicit Hencky(const double* p) : mu(all(p[0])), lambda(all(p[1])), per_density(all(p[2])) {}
 
   template <int D>
-  SCARP_INLINE void stress(const Deformation<D>& d, double*, Pack (&P)[9]) const {
-    const Symmetric<D> e = half_log<D>(left_product<D>(d.F));
-    first_piola<D>(scaled<D>(e, 2.0 * mu, lambda * trace<D>(e)), d, P);
+  SCARP_INLINE Symmetric<D> kirchhoff(CurrentHistory<D>& history, Pack) const {
+    const Symmetric<D> e = half_log<D>(history.b_e);
+    return scaled<D>(e, 2.0 * mu, lambda * trace<D>(e));
   }
 
-  template <int D>
-  SCARP_INLINE Pack speed_squared(const Deformation<D>& d, const double*) const {
-    const Pack shrunk = inverse_square_of_least_stretch(d);
-    const Pack stretched = square_norm<D>(d.F) - 2.0 / shrunk;
+  template <int D, class History>
+  SCARP_INLINE Pack speed_squared(const Stretch& s, const History&) const {
+    const Pack shrunk = s.per_least_squared();
+    const Pack stretched = s.square - 2.0 / shrunk;
     const Pack spread = 0.5 * natural_log(shrunk * larger(shrunk, stretched));
-    const Pack pressed = larger(Pack{}, choose(lambda > 0.0, lambda * (d.per_J - 1.0), lambda * (1.0 - d.J)));
+    const Pack pressed = larger(Pack{}, choose(lambda > 0.0, lambda * (s.per_J - 1.0), lambda * (1.0 - s.J)));
     return (mu * (2.0 + spread) + larger(Pack{}, lambda) + pressed) * shrunk * per_density;
   }
 
@@ -92,40 +150,21 @@ struct Plastic {
   explicit Plastic(const double* p)
       : G(all(p[0])), K(all(p[1])), per_2G(all(0.5 / p[0])), per_3K(all(1 / (3 * p[1]))), per_density(all(p[2])) {}
 
-  template <int D>
-  static SCARP_INLINE Symmetric<D> elastic_tensor(const Deformation<D>& d, const double* history) {
-    Symmetric<D> c;
-    for (int i = 0; i < Symmetric<D>::n; ++i) c.a[i] = load(history + i * kSegment);
-    return push_forward<D>(d.F, c);
+  template <int D, class History>
+  SCARP_INLINE Pack speed_squared(const Stretch& s, const History& history) const {
+    const Pack strain = square_root(distance_from_unit_squared<D>(history.elastic()));
+    return (K + (4.0 / 3) * G) * (1.0 + strain) * s.per_least_squared() * per_density;
   }
 
   template <int D>
-  SCARP_INLINE Pack speed_squared(const Deformation<D>& d, const double* history) const {
-    const Pack strain = square_root(distance_from_unit_squared(elastic_tensor<D>(d, history)));
-    return (K + (4.0 / 3) * G) * (1.0 + strain) * inverse_square_of_least_stretch(d) * per_density;
-  }
-
-  template <int D>
-  SCARP_INLINE Pack energy(const Deformation<D>& d, const double* history) const {
-    return hencky_energy<D>(elastic_tensor<D>(d, history), G, K - (2.0 / 3) * G);
+  SCARP_INLINE Pack energy(const Deformation<D>& d, double* history) const {
+    return hencky_energy<D>(ReferenceHistory<D>{d, history}.elastic(), G, K - (2.0 / 3) * G);
   }
 
   /// Plastic work per reference volume.
   template <int D>
   static SCARP_INLINE Pack plastic_work(const double* history) {
     return load(history + (Symmetric<D>::n + 1) * kSegment);
-  }
-
-  /// Remembers, in the lanes of `where`, b_e as C_p^-1, and what has been added to strain and work.
-  template <int D>
-  static SCARP_INLINE void remember(const Deformation<D>& d, const Symmetric<D>& b_e, Mask where, Pack strain,
-                                    Pack work, double* history) {
-    constexpr int n = Symmetric<D>::n;
-    const Symmetric<D> c = pull_back<D>(d, b_e);
-    for (int i = 0; i < n; ++i) store(history + i * kSegment, choose(where, c.a[i], load(history + i * kSegment)));
-    double *a = history + n * kSegment, *w = a + kSegment;
-    store(a, load(a) + choose(where, strain, Pack{}));
-    store(w, load(w) + choose(where, work, Pack{}));
   }
 };
 
@@ -135,21 +174,21 @@ struct VonMises : Plastic {
 
   explicit VonMises(const double* p) : Plastic(p), yield(all(p[3])), modulus(all(p[4])) {}
 
-  template <int D>
-  SCARP_INLINE void stress(const Deformation<D>& d, double* history, Pack (&P)[9]) const {
-    const Symmetric<D> e = half_log<D>(elastic_tensor<D>(d, history));
+  template <int D, class History>
+  SCARP_INLINE Symmetric<D> kirchhoff(History& history, Pack J) const {
+    const Symmetric<D> e = half_log<D>(history.elastic());
     const Pack volume = trace<D>(e), third = volume * (1.0 / 3);
     const Symmetric<D> dev = scaled<D>(e, all(1.0), -third);
     const Pack trial = 2.0 * G * square_root(1.5 * square_norm<D>(dev));
-    const Pack strength = d.J * (yield + modulus * load(history + Symmetric<D>::n * kSegment));
+    const Pack strength = J * (yield + modulus * history.plastic_strain());
     const Mask flows = trial > strength;
     Pack kept = all(1.0);
     if (any(flows)) {
-      const Pack g = larger(Pack{}, (trial - strength) / (3.0 * G + d.J * modulus));
+      const Pack g = larger(Pack{}, (trial - strength) / (3.0 * G + J * modulus));
       kept = choose(flows, 1.0 - 3.0 * G * g / trial, all(1.0));
-      remember<D>(d, exp_twice<D>(scaled<D>(dev, kept, third)), flows, g, (trial - 3.0 * G * g) * g, history);
+      history.remember(exp_twice<D>(scaled<D>(dev, kept, third)), flows, g, (trial - 3.0 * G * g) * g);
     }
-    first_piola<D>(scaled<D>(dev, 2.0 * G * kept, K * volume), d, P);
+    return scaled<D>(dev, 2.0 * G * kept, K * volume);
   }
 };
 
@@ -165,14 +204,14 @@ struct DruckerPrager : Plastic {
         cap(all(p[6])),
         per_stiffness(all(1 / (p[0] + p[1] * p[3] * p[5]))) {}
 
-  template <int D>
-  SCARP_INLINE void stress(const Deformation<D>& d, double* history, Pack (&P)[9]) const {
-    const Symmetric<D> e = half_log<D>(elastic_tensor<D>(d, history));
+  template <int D, class History>
+  SCARP_INLINE Symmetric<D> kirchhoff(History& history, Pack J) const {
+    const Symmetric<D> e = half_log<D>(history.elastic());
     const Pack volume = trace<D>(e);
     const Symmetric<D> dev = scaled<D>(e, all(1.0), volume * (-1.0 / 3));
     const Pack trial = G * square_root(2.0 * square_norm<D>(dev));
     Pack p = K * volume;
-    const Pack strength = k * d.J, most = cap * d.J;
+    const Pack strength = k * J, most = cap * J;
     const Pack f = trial + q * p - strength;
     const Mask flows = (f > 0.0) | (p > most);
     Pack kept = all(1.0);
@@ -185,10 +224,10 @@ struct DruckerPrager : Plastic {
       p = choose(flows, choose(cone, along, most), p);
       kept = choose(trial > 0.0, radius / trial, Pack{});
       const Pack flow = volume - p / K, shear = (trial - radius) / G;
-      remember<D>(d, exp_twice<D>(scaled<D>(dev, kept, (volume - flow) * (1.0 / 3))), flows,
-                  square_root(shear * shear * (1.0 / 3) + (2.0 / 9) * flow * flow), radius * shear + p * flow, history);
+      history.remember(exp_twice<D>(scaled<D>(dev, kept, (volume - flow) * (1.0 / 3))), flows,
+                       square_root(shear * shear * (1.0 / 3) + (2.0 / 9) * flow * flow), radius * shear + p * flow);
     }
-    first_piola<D>(scaled<D>(dev, 2.0 * G * kept, p), d, P);
+    return scaled<D>(dev, 2.0 * G * kept, p);
   }
 };
 
@@ -224,12 +263,12 @@ struct MohrCoulomb : Plastic {
 
   SCARP_INLINE Pack plane(Pack s1, Pack s3, Pack strength) const { return (s1 - s3) + (s1 + s3) * sin_phi - strength; }
 
-  template <int D>
-  SCARP_INLINE void stress(const Deformation<D>& d, double* history, Pack (&P)[9]) const {
-    const Symmetric<D> e = half_log<D>(elastic_tensor<D>(d, history));
+  template <int D, class History>
+  SCARP_INLINE Symmetric<D> kirchhoff(History& history, Pack J) const {
+    const Symmetric<D> e = half_log<D>(history.elastic());
     const Pack volume = trace<D>(e), pressure = (K - (2.0 / 3) * G) * volume;
     Symmetric<D> tau = scaled<D>(e, 2.0 * G, pressure);
-    const Pack strength = 2.0 * c_cos * d.J, limit = tension * d.J;
+    const Pack strength = 2.0 * c_cos * J, limit = tension * J;
     if (any(may_flow<D>(e, volume, strength, limit))) {
       const Spectrum<D> spectrum(e);
       const Pack(&v)[3] = spectrum.value;
@@ -246,12 +285,12 @@ struct MohrCoulomb : Plastic {
         work += s[k] * plastic;
       }
       if (any(flows)) {
-        remember<D>(d, exp_twice<D>(spectrum.compose(elastic)), flows, square_root((2.0 / 3) * square), work, history);
+        history.remember(exp_twice<D>(spectrum.compose(elastic)), flows, square_root((2.0 / 3) * square), work);
         const Symmetric<D> returned = spectrum.compose(s);
         for (int i = 0; i < Symmetric<D>::n; ++i) tau.a[i] = choose(flows, returned.a[i], tau.a[i]);
       }
     }
-    first_piola<D>(tau, d, P);
+    return tau;
   }
 
   /// Whether a point may be beyond the surface, from invariants alone: the cone inscribed in the planes (that of

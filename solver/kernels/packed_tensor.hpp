@@ -64,14 +64,29 @@ SCARP_INLINE Pack square_norm(const Pack (&F)[9]) {
   return s;
 }
 
-/// See solver/materials/motion.hpp.
+/// Of a deformation, what bounds wave speeds ask for; see solver/materials/motion.hpp.
+struct Stretch {
+  Pack square;     ///< |F|^2
+  Pack cofactors;  ///< |cof F|^2
+  Pack J, per_J;
+
+  /// Upper bound of 1 / lambda_min^2.
+  SCARP_INLINE Pack per_least_squared() const {
+    const Pack per_J2 = per_J * per_J;
+    const Pack trace = cofactors * per_J2, second = square * per_J2;
+    return (trace + 2.0 * square_root(larger(Pack{}, trace * trace - 3.0 * second))) * (1.0 / 3);
+  }
+  /// Upper bound of lambda_max^2.
+  SCARP_INLINE Pack largest_squared() const {
+    return (square + 2.0 * square_root(larger(Pack{}, square * square - 3.0 * cofactors))) * (1.0 / 3);
+  }
+};
+
 template <int D>
-SCARP_INLINE Pack inverse_square_of_least_stretch(const Deformation<D>& d) {
-  const Pack per_J2 = d.per_J * d.per_J;
+SCARP_INLINE Stretch stretch_of(const Deformation<D>& d) {
   Pack cofactors = D == 2 ? d.J * d.J : Pack{};
   for_entries<D>([&](int i) { cofactors += d.cofactor[i] * d.cofactor[i]; });
-  const Pack trace = cofactors * per_J2, second = square_norm<D>(d.F) * per_J2;
-  return (trace + 2.0 * square_root(larger(Pack{}, trace * trace - 3.0 * second))) * (1.0 / 3);
+  return {square_norm<D>(d.F), cofactors, d.J, d.per_J};
 }
 
 /// xx, yy, zz, xy and, in 3D, yz, xz.
@@ -198,6 +213,14 @@ SCARP_INLINE Pack adjugate(const Symmetric<D>& M, Symmetric<D>& adjoint) {
     c[5] = a[3] * a[4] - a[1] * a[5];
     return a[0] * c[0] + a[3] * c[3] + a[5] * c[5];
   }
+}
+
+/// Of the deformations F with b = F F^T.
+template <int D>
+SCARP_INLINE Stretch stretch_of(const Symmetric<D>& b) {
+  Symmetric<D> adjoint;
+  const Pack J = square_root(adjugate<D>(b, adjoint));
+  return {b.a[0] + b.a[1] + b.a[2], adjoint.a[0] + adjoint.a[1] + adjoint.a[2], J, 1.0 / J};
 }
 
 /// Eigenvalues of a symmetric tensor in descending order, and functions of it, without eigenvectors: these cost long

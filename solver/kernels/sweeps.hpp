@@ -5,7 +5,9 @@
 #pragma once
 
 #include "solver/kernels/cell_sweeps.hpp"
+#include "solver/kernels/kernels.hpp"
 #include "solver/kernels/packed_laws.hpp"
+#include "solver/kernels/particle_sweeps.hpp"
 
 namespace SCARP_KERNELS {
 namespace {
@@ -100,17 +102,19 @@ SCARP_INLINE void point_stress(const StressSweep& sweep, const Law& law, const D
   if constexpr (average) {
     Pack scale;
     const Deformation<D> bar = averaged<D>(d, J_cell, scale);
-    law.template stress<D>(bar, history, P);
+    stress_of<D>(law, bar, history, P);
     Pack work{};
     for_entries<D>([&](int i) { work += P[i] * bar.F[i]; });
     const Pack mean = work / (D * bar.J), factor = mean * J_cell * d.per_J;
     for_entries<D>([&](int i) { P[i] = scale * P[i] - factor * d.cofactor[i]; });
     sums.mean_stress += weight * mean;
     if (sweep.find_speed)
-      sums.stiffness += weight * larger(all(1.0), scale * scale) * law.template speed_squared<D>(bar, history);
+      sums.stiffness += weight * larger(all(1.0), scale * scale) *
+                        law.template speed_squared<D>(stretch_of<D>(bar), ReferenceHistory<D>{bar, history});
   } else {
-    law.template stress<D>(d, history, P);
-    if (sweep.find_speed) sums.stiffness += weight * law.template speed_squared<D>(d, history);
+    stress_of<D>(law, d, history, P);
+    if (sweep.find_speed)
+      sums.stiffness += weight * law.template speed_squared<D>(stretch_of<D>(d), ReferenceHistory<D>{d, history});
   }
 }
 
@@ -311,7 +315,7 @@ void energy_sweep(const StressSweep& sweep, const Segment* begin, const Segment*
           V0 = load(point + D * kSegment);
           cut_deformation<D>(u, m, V0, d);
         }
-        const double* history = history_of<D, Law>(sweep, *segment, place, lane);
+        double* history = history_of<D, Law>(sweep, *segment, place, lane);
         if constexpr (average) {
           Pack scale;
           d = averaged<D>(d, J_cell, scale);
@@ -462,6 +466,7 @@ scarp::kernels::Kernels kernels(const char* name) {
   table.momentum[1] = momentum_sweep<3>;
   table.forces = force_sweep;
   table.velocities = velocity_sweep;
+  table.particles = particle_kernels();
   table.natural_log = log_of;
   table.exponential = exp_of;
   table.multiply_add = multiply_add;

@@ -47,21 +47,25 @@ void expect_right(const UpdatedGrid& grid, const Model& model) {
   }
   std::set<Index> nodes;
   ASSERT_EQ(grid.cells.size(), expected.size());
-  for (std::size_t c = 0; c < grid.cells.size(); ++c) {
+  for (std::size_t b = 0, c = 0; c < grid.cells.size(); ++c) {
+    while (c >= grid.block_begin[b + 1]) ++b;
     const std::vector<std::uint32_t> members(grid.members.begin() + grid.cell_begin[c],
                                              grid.members.begin() + grid.cell_begin[c + 1]);
     EXPECT_EQ(members, expected[grid.cells[c]]);
-    EXPECT_EQ(grid.cell_of_lattice[grid.lattice_cell(grid.cells[c])], c);
     const int w = grid.width;
-    for (int k = 0; k < grid.window(); ++k)
-      nodes.insert({grid.cells[c][0] + k % w, grid.cells[c][1] + k / w % w, grid.cells[c][2] + k / w / w});
+    for (int k = 0; k < grid.window(); ++k) {
+      const Index node{grid.cells[c][0] + k % w, grid.cells[c][1] + k / w % w, grid.cells[c][2] + k / w / w};
+      nodes.insert(node);
+      const int t = grid.tile_edge, place = ((k / w / w) * t + k / w % w) * t + k % w;
+      EXPECT_EQ(grid.nodes[grid.tile_nodes[b * grid.tile() + grid.first_in_tile[c] + place]], node);
+    }
   }
   EXPECT_EQ(std::set<Index>(grid.nodes.begin(), grid.nodes.end()), nodes);
   EXPECT_EQ(grid.nodes.size(), nodes.size());
   const auto used = [](const auto& of_lattice) {
     return of_lattice.size() - std::count(of_lattice.begin(), of_lattice.end(), UpdatedGrid::kNone);
   };
-  EXPECT_EQ(static_cast<std::size_t>(used(grid.cell_of_lattice)), grid.cells.size());
+  EXPECT_EQ(static_cast<std::size_t>(used(grid.block_of_lattice)), grid.blocks.size());
   EXPECT_EQ(static_cast<std::size_t>(used(grid.node_of_lattice)), grid.nodes.size());
 }
 
@@ -115,7 +119,8 @@ TEST(UpdatedGrid, MapsMassMomentumAndForceLikeTheSumsOfTheMethod) {
               const int i = k % S::width, j = k / S::width % S::width, l = k / (S::width * S::width);
               const double z = D == 3 ? N[D - 1][l] : 1, phi = N[0][i] * N[1][j] * z;
               const double gx = dN[0][i] * N[1][j] * z / grid.cell, gy = N[0][i] * dN[1][j] * z / grid.cell;
-              NodeSums& sum = sums[window_node<D, S>(grid, c, k)];
+              const Index node{grid.cells[c][0] + i, grid.cells[c][1] + j, grid.cells[c][2] + l};
+              NodeSums& sum = sums[grid.node_of_lattice[grid.lattice_node(node)]];
               const double V = particles.reference_volume[p];
               sum.mass += phi * particles.mass[p];
               sum.momentum = sum.momentum + phi * particles.mass[p] * particles.velocity[p];
