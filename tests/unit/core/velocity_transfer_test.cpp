@@ -166,8 +166,7 @@ TEST(Xpic, TotalAndUpdatedFilterAlikeInTheFirstStep) {
     b.step(dt);
     double worst = 0, change = 0;
     std::vector<Vec3> filtered(updated.particles.size());  // by id: the formulations sort in orders of their own
-    for (std::size_t p = 0; p < filtered.size(); ++p)
-      filtered[updated.particles.id[p]] = updated.particles.velocity[p];
+    for (std::size_t p = 0; p < filtered.size(); ++p) filtered[updated.particles.id[p]] = updated.particles.velocity[p];
     for (std::size_t p = 0; p < total.particles.size(); ++p) {
       worst = std::max(worst, norm(total.particles.velocity[p] - filtered[total.particles.id[p]]));
       change = std::max(change, norm(total.particles.velocity[p] - swirl(total.particles.reference_position[p])));
