@@ -3,7 +3,8 @@
 """Runs every data set that has an expected.json and holds its summary, history, probes and frames against it.
 
 A check names what it looks at: "summary", a "column" (of history.csv, or of a "probe") with a "statistic", a "curve", or
-something of the last frame. "runs" adds runs with other keys, for what only two resolutions can tell.
+something of the last frame. "runs" adds runs with other keys, for what only two resolutions can tell; "over" divides by
+what another run gave.
 """
 import csv
 import json
@@ -63,6 +64,14 @@ class Result:
         with h5py.File(self.folder / self.series[-1]["name"]) as frame:
             return frame["VTKHDF/PointData/displacement"][:]
 
+    def front(self, share, time=None):
+        """x that this share of the points stays behind: in the last frame, or at a time, linear between frames."""
+        fronts = []
+        for entry in self.series if time is not None else self.series[-1:]:
+            with h5py.File(self.folder / entry["name"]) as frame:
+                fronts.append(float(numpy.quantile(frame["VTKHDF/Points"][:, 0], share)))
+        return float(numpy.interp(time, [entry["time"] for entry in self.series], fronts)) if len(fronts) > 1 else fronts[0]
+
     def spacing(self):
         """Between material points of the first body of a plane-strain model."""
         volume = self.summary["discretize"]["volumes"][0]
@@ -102,7 +111,12 @@ def curve_error(curve, rows):
 
 
 def found(check, runs):
-    result = runs[check.get("run", "")]
+    if "over" in check:
+        return found_in(check, runs[check["run"]], runs) / found_in(check, runs[check["over"]], runs)
+    return found_in(check, runs[check.get("run", "")], runs)
+
+
+def found_in(check, result, runs):
     if "summary" in check:
         value = result.summary
         for key in check["summary"].split("."):
@@ -121,8 +135,11 @@ def found(check, runs):
         return still_at(result.last_points(), result.last_displacements(), result.spacing(), check["still_at"], check["least"])
     if "lowest" in check:
         return float(result.last_points()[:, 1].min())
+    if "between" in check:
+        first, last = check["between"]
+        return (result.front(check["front_of"], last) - result.front(check["front_of"], first)) / (last - first)
     if "front_of" in check:
-        return float(numpy.quantile(result.last_points()[:, 0], check["front_of"]))
+        return result.front(check["front_of"], check.get("time"))
     rows = result.table(check)
     return STATISTICS[check["statistic"]]([row[check["column"]] for row in rows], rows)
 
