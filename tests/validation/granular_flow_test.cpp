@@ -26,7 +26,8 @@ const Granular kGrains{{1500, 1.5e8, 0.3}, 0.38, 0.64, 0.279, 40, 2500};
 constexpr double kDepth = 1, kGravity = 9.81;
 constexpr int kCells = 32;
 
-/// u = 2/3 I/d sqrt(rho g cos / rho_s) (H^1.5 - (H - y)^1.5), mu(I) = tan: GDR MiDi 2004; Jop, Forterre, Pouliquen 2006.
+/// u = 2/3 I/d sqrt(rho g cos / rho_s) (H^1.5 - (H - y)^1.5), mu(I) = tan: GDR MiDi 2004; Jop, Forterre, Pouliquen
+/// 2006.
 double bagnold(double angle, double y) {
   const double slope = std::tan(angle), number = kGrains.I_0 * (slope - kGrains.mu_s) / (kGrains.mu_2 - slope);
   return 2.0 / 3 * number / kGrains.grain_diameter *
@@ -41,8 +42,7 @@ double pressure(double angle, double y) { return kGrains.density * kGravity * st
 /// so that the nodes of a side get all of it.
 Model layer(double angle) {
   const double h = kDepth / kCells;
-  Model model =
-      test::empty_model({0, 0, 0}, {h, kDepth, 0}, h, {Condition::free, Condition::free, Condition::fixed});
+  Model model = test::empty_model({0, 0, 0}, {h, kDepth, 0}, h, {Condition::free, Condition::free, Condition::fixed});
   test::seed_body(model, "layer", kGrains, 2, test::everywhere);
   NodeSet all{"layer", Condition::roller, 1, {}};
   for (int j = 0; j <= kCells; ++j)
