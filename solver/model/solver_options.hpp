@@ -89,7 +89,8 @@ struct SolverOptions {
     v("back_end", back_end,
       Spec{.text =
                "form in which total-Lagrangian bodies are stepped: \"nodal\", with accumulators on the nodes, several "
-               "times faster, where the body's laws and options allow it; \"particle-state\" throughout. Results "
+               "times faster, where the body's laws and options allow it; \"particle-state\" throughout. "
+               "Updated-Lagrangian bodies are stepped in packs of particles or, with the latter, one by one. Results "
                "differ by rounding"});
     v("reference_update", reference_update,
       Spec{

@@ -154,8 +154,9 @@ TEST(FreeSurface, NormalsPointOut) {
   const FreeSurface surface = free_surface(solid.frame(), 1);
   const double length = std::sqrt(1 + 0.62 * 0.62 + 0.33 * 0.33);
   for (std::size_t i = 0; i < surface.cloud.size(); ++i)
-    if (within(solid, surface.cloud.positions[i], 0.3))
+    if (within(solid, surface.cloud.positions[i], 0.3)) {
       EXPECT_GT(dot(surface.cloud.normals[i], {-0.62 / length, 0.33 / length, 1 / length}), 0.99);
+    }
 }
 
 /// A box of particles with a uint8 mark for all, of one spacing.
@@ -224,8 +225,12 @@ TEST(FreeSurface, OfTwoBodiesOneOnTheOther) {
   const FreeSurface surface = free_surface(frame, 1);
   EXPECT_NEAR(surface.spacing, 0.1, 1e-6) << "of the coarser body";
   for (const Vec3& p : surface.cloud.positions) {
-    if (p[0] > 0.3 && p[0] < 0.7 && p[1] > 0.4 && p[1] < 1.6 && p[2] > 0.3) EXPECT_NEAR(p[2], 0.8, 0.01);
-    if (p[0] > 1.4 && p[0] < 1.6 && p[1] > 0.4 && p[1] < 1.6 && p[2] > 0.3) EXPECT_NEAR(p[2], 0.6, 0.012);
+    if (p[0] > 0.3 && p[0] < 0.7 && p[1] > 0.4 && p[1] < 1.6 && p[2] > 0.3) {
+      EXPECT_NEAR(p[2], 0.8, 0.01);
+    }
+    if (p[0] > 1.4 && p[0] < 1.6 && p[1] > 0.4 && p[1] < 1.6 && p[2] > 0.3) {
+      EXPECT_NEAR(p[2], 0.6, 0.012);
+    }
   }
 }
 
