@@ -187,34 +187,5 @@ TEST(UpdatedIncline, SlidesAndSticksAfterCoulomb) {
     }
 }
 
-/// The slope of slump_test.cpp, with functions that reach over the particle, so that none is kicked from cell to cell.
-TEST(UpdatedSlump, RunsOutWithinThePublishedBands) {
-  Model model = test::empty_model({0, 0, 0}, {110, 36, 0}, 1, {kRoller, kRoller, kFixed, kFree});
-  test::seed_body(model, "slope", MohrCoulomb{{2100, 70e6, 0.3}, 10e3, 20, 0}, 2,
-                  [](const Vec3& X) { return X[1] < 15 || (X[1] < 35 && X[0] + X[1] < 63.75); });
-  make_updated(model);
-  RecordingSink sink;
-  const RunReport report = run(model, solver(7.2, {0, -9.81, 0}, 0.8, ShapeFunction::gimp), output(7.2, 0.05), sink, 1);
-  ASSERT_FALSE(report.failed) << report.failure.what << " at " << report.failure.time;
-  const Particles& p = model.particles;
-  double run_out = 0, time_of_peak = 0;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (p.reference_position[i][1] > 15) run_out = std::max(run_out, p.position[i][0] - 48.75);
-  for (const HistorySample& sample : sink.samples)
-    if (sample.kinetic == report.largest_kinetic) time_of_peak = sample.time;
-  const double crest = 35 - test::carried(p, {28.75, 35, 0})[1];
-  const std::string band = "published codes at h = 1 m; no regularisation, so bands";
-  validate_near("UL slump, GIMP 2 x 2: particles", 9700, static_cast<double>(p.size()), 0, "exact count");
-  validate_within("UL slump, GIMP 2 x 2: run-out of the toe, m", 7.5, 13, run_out, band);
-  validate_within("UL slump, GIMP 2 x 2: drop of the crest, m", 7.5, 9.2, crest, band);
-  validate_within("UL slump, GIMP 2 x 2: largest displacement, m", 12, 15.5, report.largest_displacement, band);
-  validate_within("UL slump, GIMP 2 x 2: time of the kinetic energy's peak, s", 2.1, 2.6, time_of_peak, band);
-  validate_near("UL slump, GIMP 2 x 2: energy drift / potential energy released", 0,
-                report.largest_energy_error / std::abs(report.last.potential), 0.005,
-                "what falls is kinetic, elastic or plastic work; O(dt)");
-  validate_within("UL slump, GIMP 2 x 2: kinetic energy at the end / peak", 0, 0.1,
-                  report.last.kinetic / report.largest_kinetic, "at rest but for the elastic ringing");
-}
-
 }  // namespace
 }  // namespace scarp
