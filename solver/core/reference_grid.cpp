@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "solver/core/linear_cell.hpp"
+#include "solver/kernels/particles.hpp"
 #include "solver/model/error.hpp"
 
 namespace scarp {
@@ -59,7 +60,7 @@ std::int64_t key_of(const Lattice& lattice, const LatticeIndex& i) {
 /// that go by rows of cells.
 std::int64_t block_key_of(const Body& body, const LatticeIndex& i) {
   if (body.formulation != Formulation::updated_lagrangian) return 0;
-  const int edge = body.lattice.flat() ? 8 : 4;
+  const int edge = kernels::block_edge(body.lattice.dimension());
   return key_of(body.lattice, {i[0] / edge, i[1] / edge, i[2] / edge});
 }
 

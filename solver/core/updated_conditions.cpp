@@ -142,28 +142,14 @@ void UpdatedConditions::find_particle_forces_at(double time) {
   }
 }
 
-void UpdatedConditions::map_forces(const UpdatedGrid& grid, double ramp, int threads) {
+void UpdatedConditions::map_forces(UpdatedGrid& grid, double ramp, int threads) {
   const auto force_on = [&](std::uint32_t p) {
     const Vec3& load = particle_force_[p];
     return model_.water ? load + ramp * water_force(*model_.water, model_.particles, p, grid.dimension) : load;
   };
   std::vector<Vec3>& nodes = conditions_.loads.present;
   nodes.assign(grid.nodes.size(), Vec3{0, 0, 0});
-  tiles_.assign(grid.tile_nodes.size(), Vec3{0, 0, 0});
-  with_shape(grid, [&]<int D, class S>() {
-    for_each_updated_cell(grid, threads, [&](std::size_t b, std::size_t c) {
-      Vec3* const sums = &tiles_[b * grid.tile() + grid.first_in_tile[c]];
-      for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
-        const Vec3 force = force_on(grid.members[m]);
-        if (force == Vec3{0, 0, 0}) continue;
-        WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) {
-          Vec3& sum = sums[in_tile<D, S>(k)];
-          sum = sum + phi * force;
-        });
-      }
-    });
-  });
-  for_each_tile_node(grid, threads, [&](std::uint32_t node, std::size_t t) { nodes[node] = nodes[node] + tiles_[t]; });
+  map_vectors(grid, threads, force_on, [&](std::uint32_t node, const Vec3& sum) { nodes[node] = nodes[node] + sum; });
   for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = free_part(nodes[i], grid.held[i]);
 }
 

@@ -44,7 +44,7 @@ class UpdatedConditions {
  private:
   void find_faces(const UpdatedGrid& grid);
   void find_particle_forces_at(double time);
-  void map_forces(const UpdatedGrid& grid, double ramp, int threads);
+  void map_forces(UpdatedGrid& grid, double ramp, int threads);
 
   const Model& model_;
   NodeConditions conditions_;
@@ -55,7 +55,6 @@ class UpdatedConditions {
   std::map<std::pair<std::size_t, int>, Vec3> supports_;  ///< by node of the lattice and side, N
   std::vector<ParticleForces> loads_;
   std::vector<Vec3> particle_force_;  ///< per particle of the model, N; empty where none is loaded
-  std::vector<Vec3> tiles_;           ///< per function of the grid's tiles: force
 };
 
 }  // namespace scarp

@@ -258,7 +258,7 @@ UpdatedGrid make_updated_grid(const Model& model, ShapeFunction shape, int threa
   choose_particles(grid, model);
   if (shape == ShapeFunction::gimp) find_half_edges(grid, model);
   find_held_axes(grid, model);
-  grid.block_edge = grid.dimension == 2 ? 8 : 4;
+  grid.block_edge = kernels::block_edge(grid.dimension);
   grid.tile_edge = grid.block_edge + grid.width - 1;
   for (int a = 0; a < grid.dimension; ++a)
     grid.block_count[a] = (grid.cell_count[a] + grid.block_edge - 1) / grid.block_edge;

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -26,6 +25,12 @@ struct alignas(64) NodeSums {
 /// What the search for cells found in a block of particles.
 using KeyBlock = kernels::PlaceResult;
 
+/// What a stress sweep found among the particles of updated-Lagrangian bodies.
+struct UpdatedOutcome {
+  double largest_wave_speed_squared = 0;  ///< (m/s)^2, in the current configuration
+  std::int64_t bad_particle = -1;         ///< the first with J <= 0 or something not finite; -1 if all is well
+};
+
 /// The one grid of all updated-Lagrangian bodies: the domain's lattice. "Node" is a shape function, whether or not
 /// it interpolates; a cell's window is the width^dimension functions that do not vanish on it, of index cell to
 /// cell + width - 1 on each axis (solver/shapes/shape.hpp).
@@ -36,7 +41,7 @@ using KeyBlock = kernels::PlaceResult;
 /// colour side by side: no atomics, and the same bits for any number of threads. Nothing is allocated once the
 /// buffers have grown.
 struct UpdatedGrid {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNone = kernels::kNoNode;
 
   int dimension = 3;
   ShapeFunction shape = ShapeFunction::linear;
@@ -95,7 +100,8 @@ struct UpdatedGrid {
   std::vector<Vec3> filtered, term;  ///< per node v*_I of xpic.hpp and the term of it found last; empty likewise
   std::vector<std::uint8_t> kept;    ///< axes of xpic.hpp's conditions
 
-  std::vector<double> task_maxima;  ///< of a sweep
+  std::vector<double> task_maxima;            ///< of a sweep
+  std::vector<UpdatedOutcome> task_outcomes;  ///< of a sweep over stresses
 
   // Of use_kernels:
   const kernels::Kernels* kernels = nullptr;                          ///< what sweeps run on, or none

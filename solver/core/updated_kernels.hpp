@@ -37,12 +37,6 @@ kernels::CellRange cells_of(const UpdatedGrid& grid, std::size_t block, Sums* ti
 inline int plane_or_space(const UpdatedGrid& grid) { return grid.dimension - 2; }
 inline int shape_index(const UpdatedGrid& grid) { return static_cast<int>(grid.shape); }
 
-/// Of the cells of a block: deforms those whose particles have one law that has a kernel, and calls
-/// rest(first, last) for runs of the others.
-template <class F>
-void deform_block(const UpdatedGrid& grid, const kernels::ParticleSweep& sweep, const Particles& particles,
-                  std::size_t block, UpdatedOutcome& outcome, F&& rest);
-
 /// Of cell c: index of the one material of its particles, or -1.
 inline std::int32_t material_of(const UpdatedGrid& grid, const Particles& particles, std::size_t c) {
   const std::int32_t first = particles.material[grid.members[grid.cell_begin[c]]];
@@ -51,6 +45,8 @@ inline std::int32_t material_of(const UpdatedGrid& grid, const Particles& partic
   return first;
 }
 
+/// Of the cells of a block: deforms those whose particles have one law that has a kernel, and calls
+/// rest(first, last) for runs of the others.
 template <class F>
 void deform_block(const UpdatedGrid& grid, const kernels::ParticleSweep& sweep, const Particles& particles,
                   std::size_t block, UpdatedOutcome& outcome, F&& rest) {

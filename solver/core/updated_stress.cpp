@@ -100,7 +100,8 @@ void deform_cell(Particles& particles, UpdatedGrid& grid, const std::vector<Prep
 
 UpdatedOutcome sweep(Particles& particles, UpdatedGrid& grid, const std::vector<PreparedLaw>& laws, double dt,
                      bool move, int threads) {
-  std::vector<UpdatedOutcome> tasks(grid.blocks.size());
+  std::vector<UpdatedOutcome>& tasks = grid.task_outcomes;
+  tasks.assign(grid.blocks.size(), {});
   const bool packed = move && grid.kernels && !grid.averages;
   const kernels::ParticleSweep kernel_sweep = particle_sweep(particles, grid, {}, dt);
   with_shape(grid, [&]<int D, class S>() {

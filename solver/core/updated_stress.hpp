@@ -10,12 +10,6 @@
 
 namespace scarp {
 
-/// What a stress sweep found among the particles of updated-Lagrangian bodies.
-struct UpdatedOutcome {
-  double largest_wave_speed_squared = 0;  ///< (m/s)^2, in the current configuration
-  std::int64_t bad_particle = -1;         ///< the first with J <= 0 or something not finite; -1 if all is well
-};
-
 /// A particle's c^2, or -1 where its state is no longer valid.
 inline void note(UpdatedOutcome& outcome, double c2, std::size_t p) {
   outcome.largest_wave_speed_squared = std::max(outcome.largest_wave_speed_squared, c2);

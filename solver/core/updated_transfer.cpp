@@ -180,22 +180,9 @@ void map_forces(const Particles& particles, UpdatedGrid& grid, int threads) {
 }
 
 void add_particle_forces(UpdatedGrid& grid, const std::vector<Vec3>& force, int threads) {
-  map_blocks(
-      grid, grid.momentum_tiles, threads,
-      [&]<int D, class S>(std::size_t b, std::array<double, 4>* tile) {
-        for (std::size_t c = grid.block_begin[b]; c < grid.block_begin[b + 1]; ++c)
-          for (std::size_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
-            const Vec3& f = force[grid.members[m]];
-            if (f == Vec3{0, 0, 0}) continue;
-            WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) {
-              for (int d = 0; d < D; ++d) tile[grid.first_in_tile[c] + in_tile<D, S>(k)][d] += phi * f[d];
-            });
-          }
-      },
-      [](std::array<double, 4>& sum) { sum = {}; });
-  for_each_tile_node(grid, threads, [&](std::uint32_t node, std::size_t t) {
-    for (int d = 0; d < 3; ++d) grid.sums[node].force[d] += grid.momentum_tiles[t][d];
-  });
+  map_vectors(
+      grid, threads, [&](std::uint32_t p) { return force[p]; },
+      [&](std::uint32_t node, const Vec3& sum) { grid.sums[node].force = grid.sums[node].force + sum; });
 }
 
 void find_node_velocities(UpdatedGrid& grid, int threads) {

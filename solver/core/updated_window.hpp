@@ -82,7 +82,7 @@ void with_shape(const UpdatedGrid& grid, F&& f) {
 /// Of function k of a cell's window from the first, in its block's tile.
 template <int D, class S>
 constexpr std::uint32_t in_tile(int k) {
-  constexpr int edge = (D == 2 ? 8 : 4) + S::width - 1, w = S::width;
+  constexpr int edge = kernels::block_edge(D) + S::width - 1, w = S::width;
   return static_cast<std::uint32_t>(k % w + edge * (k / w % w) + edge * edge * (k / (w * w)));
 }
 
@@ -123,6 +123,28 @@ void map_blocks(const UpdatedGrid& grid, std::vector<Sums>& tiles, int threads, 
       for (Sums* sums = begin; sums != begin + tile; ++sums) clear(*sums);
       f.template operator()<D, S>(b, begin);
     });
+  });
+}
+
+/// Sums phi_Ip of(p) of all particles in momentum_tiles and gives add(node, sum) what each tile has.
+template <class Of, class Add>
+void map_vectors(UpdatedGrid& grid, int threads, Of&& of, Add&& add) {
+  map_blocks(
+      grid, grid.momentum_tiles, threads,
+      [&]<int D, class S>(std::size_t b, std::array<double, 4>* tile) {
+        for (std::uint32_t c = grid.block_begin[b]; c < grid.block_begin[b + 1]; ++c)
+          for (std::uint32_t m = grid.cell_begin[c]; m < grid.cell_begin[c + 1]; ++m) {
+            const Vec3 f = of(grid.members[m]);
+            if (f == Vec3{0, 0, 0}) continue;
+            WindowWeights<D, S>(grid, c, m).each_value([&](int k, double phi) {
+              for (int d = 0; d < D; ++d) tile[grid.first_in_tile[c] + in_tile<D, S>(k)][d] += phi * f[d];
+            });
+          }
+      },
+      [](std::array<double, 4>& sum) { sum = {}; });
+  for_each_tile_node(grid, threads, [&](std::uint32_t node, std::size_t t) {
+    const std::array<double, 4>& sum = grid.momentum_tiles[t];
+    add(node, Vec3{sum[0], sum[1], sum[2]});
   });
 }
 

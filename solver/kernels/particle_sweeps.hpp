@@ -25,7 +25,7 @@ constexpr int kWidth = S == Shape::linear              ? 2
                                                        : 4;
 /// Functions of a tile per axis.
 template <int D, Shape S>
-constexpr int kTileEdge = (D == 2 ? 8 : 4) + kWidth<S> - 1;
+constexpr int kTileEdge = scarp::kernels::block_edge(D) + kWidth<S> - 1;
 template <int D>
 constexpr int kSymmetric = Symmetric<D>::n;
 
@@ -355,7 +355,7 @@ SCARP_INLINE Pack round_down(Pack a) {
 template <int D>
 void place_particles(const PlaceSweep& sweep, const std::uint32_t* particles, std::size_t begin, std::size_t end,
                      PlaceResult& result) {
-  constexpr double edge = D == 2 ? 8 : 4;
+  constexpr double edge = scarp::kernels::block_edge(D);
   for (std::size_t j = begin; j < end; j += kLanes) {
     const Lanes lanes(particles + j, static_cast<int>(end - j < kLanes ? end - j : kLanes));
     Pack x[D], key{}, inside{};
@@ -390,7 +390,7 @@ void place_particles(const PlaceSweep& sweep, const std::uint32_t* particles, st
 
 void add_tile(const double* tile, const std::uint32_t* nodes, std::size_t count, double* sums) {
   for (std::size_t t = 0; t < count; ++t) {
-    if (nodes[t] == 0xffffffffu) continue;
+    if (nodes[t] == scarp::kernels::kNoNode) continue;
     double* const sum = sums + static_cast<std::size_t>(nodes[t]) * 8;
 #pragma GCC unroll 4
     for (int i = 0; i < 8; i += kLanes) add(sum + i, load(tile + t * 8 + i));
@@ -399,7 +399,7 @@ void add_tile(const double* tile, const std::uint32_t* nodes, std::size_t count,
 
 void add_momenta(const double* tile, const std::uint32_t* nodes, std::size_t count, double* sums) {
   for (std::size_t t = 0; t < count; ++t) {
-    if (nodes[t] == 0xffffffffu) continue;
+    if (nodes[t] == scarp::kernels::kNoNode) continue;
     double* const sum = sums + static_cast<std::size_t>(nodes[t]) * 8 + 1;
     using Four = double __attribute__((vector_size(32), aligned(8), may_alias));
     *reinterpret_cast<Four*>(sum) += *reinterpret_cast<const Four*>(tile + t * 4);

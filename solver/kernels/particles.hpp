@@ -17,6 +17,12 @@ namespace scarp::kernels {
 enum class Shape : std::uint8_t { linear, quadratic_bspline, gimp };
 inline constexpr int kShapes = 3;
 
+/// Cells of a block per axis: 64 in all, 4 x 4 x 4 or 8 x 8.
+constexpr int block_edge(int dimension) { return dimension == 2 ? 8 : 4; }
+
+/// In place of a node's index where a tile's function has none.
+inline constexpr std::uint32_t kNoNode = 0xffffffffu;
+
 /// Fields of the model's particles: 3, 9 or 6 (xx, yy, zz, xy, yz, xz) doubles each, or one.
 struct ParticleArrays {
   double* position;
