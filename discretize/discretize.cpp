@@ -6,6 +6,7 @@
 #include <new>
 
 #include "discretize/assign_material.hpp"
+#include "discretize/boundary.hpp"
 #include "discretize/gridding.hpp"
 #include "discretize/held_nodes.hpp"
 #include "discretize/scan_attributes.hpp"
@@ -69,6 +70,7 @@ void allocate(const std::vector<Work>& bodies, Model& model) {
     body.lattice = work.grid.lattice;
     body.begin = count;
     body.end = count += points;
+    body.boundary = boundary_of(work.solid, model.domain.dimension, work.grid.lattice.cell / work.grid.per_cell);
     model.bodies.push_back(std::move(body));
   }
   const std::string found = std::to_string(count) + " in cells of " + shortest(model.domain.cell) + " m";

@@ -5,14 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <tuple>
+#include <utility>
 
 #include "solver/core/linear_cell.hpp"
+#include "solver/core/triangle_tree.hpp"
 
 namespace scarp {
 namespace {
 
-/// A surface point lies at most this far from its particle, in spacings: half of one for a face along the lattice,
-/// less for others; the next layer is 0.35 further at least.
+/// A particle next to the true boundary has its centre inside by less than half the diagonal of its share of a cell,
+/// and one that sees the outside past a corner by a layer more.
+constexpr double kDeepest = 1.5;
+
+/// A surface point of a smeared body lies at most this far from its particle, in spacings: half of one for a face along
+/// the lattice, less for others; the next layer is 0.35 further at least.
 constexpr double kFarthest = 0.75;
 
 struct Spline {
@@ -90,6 +98,18 @@ double distance_to_surface(const Smeared& body, const Vec3& X, const Vec3& N, do
   return inside;
 }
 
+/// Nearest point of the body's true boundary, if that is known and near, and not at the rim of an open one.
+std::optional<std::pair<Vec3, Vec3>> point_of_boundary(const TriangleTree& boundary, const Vec3& X, double farthest,
+                                                       int dimension) {
+  const auto closest = boundary.closest(X, farthest);
+  if (!closest || boundary.on_border(*closest)) return std::nullopt;
+  Vec3 Y = closest->point, N = boundary.normal(*closest);
+  if (dimension == 2) Y[2] = N[2] = 0;
+  const double length = norm(N);
+  if (!(length > 0)) return std::nullopt;
+  return std::pair(Y, (1 / length) * N);
+}
+
 void find_points(ContactSurface& surface, const Particles& particles, const Body& body, int dimension) {
   const auto first = static_cast<std::ptrdiff_t>(body.begin), last = static_cast<std::ptrdiff_t>(body.end);
   const std::vector<Vec3> points(particles.reference_position.begin() + first,
@@ -100,15 +120,23 @@ void find_points(ContactSurface& surface, const Particles& particles, const Body
   const Smeared sharp(points, volumes, s, dimension), smooth(points, volumes, 2 * s, dimension);
   // Inside a lattice a point has itself and its neighbours across faces and edges within 1.45 spacings.
   const std::size_t surrounded = dimension == 2 ? 9 : 19;
+  std::optional<TriangleTree> boundary;
+  if (!body.boundary.triangles.empty()) boundary.emplace(body.boundary);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (sharp.neighbours(points[i], 1.45 * s) >= surrounded) continue;
     const Vec3 g = smooth.gradient(points[i]);
     if (norm(g) < 0.02) continue;  // in the middle of a sheet: nothing is outward
-    const Vec3 N = (-1 / norm(g)) * g;
-    const double distance = distance_to_surface(sharp, points[i], N, s);
-    if (distance > kFarthest * s) continue;
+    Vec3 N = (-1 / norm(g)) * g, Y;
+    const auto known = boundary ? point_of_boundary(*boundary, points[i], kDeepest * s, dimension) : std::nullopt;
+    if (known) {
+      std::tie(Y, N) = *known;
+    } else {
+      const double distance = distance_to_surface(sharp, points[i], N, s);
+      if (distance > kFarthest * s) continue;
+      Y = points[i] + distance * N;
+    }
     surface.particle.push_back(static_cast<std::uint32_t>(body.begin + i));
-    surface.Y.push_back(points[i] + distance * N);
+    surface.Y.push_back(Y);
     surface.N.push_back(N);
   }
 }

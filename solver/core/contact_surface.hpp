@@ -11,11 +11,14 @@
 
 namespace scarp {
 
-/// Where a body of material points ends. Its particles are smeared, chi(X) = sum_p V0 S((X - X_p) / s) / s^D with the
-/// quadratic B-spline S and their spacing s; the surface is chi = 1/2. That is exact for a face along the lattice and
-/// midway between layers for any other plane of the lattice, so that the volume inside is the particles'.
+/// Where a body of material points ends: at the boundary that it was cut from, if Body knows it. Otherwise its
+/// particles are smeared, chi(X) = sum_p V0 S((X - X_p) / s) / s^D with the quadratic B-spline S and their spacing s;
+/// the surface is chi = 1/2. That is exact for a face along the lattice and midway between layers for any other plane
+/// of the lattice, so that the volume inside is the particles'; but round bodies keep the lattice's steps, over which
+/// they will not roll where a slope is less than the steps'.
 ///
-/// Each particle of the outermost layer carries one point of it, along the smoothed gradient from its centre. Points
+/// Each particle of the outermost layer carries one point of it, the boundary's nearest or that along the smoothed
+/// gradient from its centre. Points
 /// are fixed to the material: y = x(Y), with the shape functions of the particle's cell continued to Y, so that what
 /// pushes at y does the work and has the moment that it should.
 struct ContactSurface {

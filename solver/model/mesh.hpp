@@ -17,4 +17,17 @@ struct TriangleMesh {
   SiteFrame site;
 };
 
+/// The prism of a plane outline between z = -half_height and half_height, without its ends: in two dimensions the
+/// border of a body. Closest points to what lies at z = 0 lie there too.
+/// @param corners  counter-clockwise
+TriangleMesh prism_mesh(const std::vector<Vec2>& corners, double half_height);
+
+/// Corners of a regular polygon in a circle, its edges at most `sagitta` from it.
+std::vector<Vec2> circle_outline(const Vec2& centre, double radius, double sagitta);
+
+/// A sphere by triangles whose edges are at most about `sagitta` from it.
+TriangleMesh sphere_mesh(const Vec3& centre, double radius, double sagitta);
+
+TriangleMesh box_mesh(const Box3& box);
+
 }  // namespace scarp

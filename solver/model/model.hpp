@@ -15,6 +15,7 @@
 #include "solver/model/domain.hpp"
 #include "solver/model/ground_motion.hpp"
 #include "solver/model/load_options.hpp"
+#include "solver/model/mesh.hpp"
 #include "solver/model/particles.hpp"
 #include "solver/model/reports.hpp"
 #include "solver/model/site.hpp"
@@ -42,6 +43,9 @@ struct Body {
   std::size_t begin = 0;  ///< range in Model::particles
   std::size_t end = 0;
   std::vector<NodeSet> held;
+  /// The surface that the particles were cut from, in the reference configuration; its site is not used. In two
+  /// dimensions a prism, see `prism_mesh`. Empty where nobody knows one.
+  TriangleMesh boundary;
 };
 
 /// What discretize hands to the solver: material points with everything that the run needs.

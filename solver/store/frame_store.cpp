@@ -87,7 +87,9 @@ FrameField read_field(const Hdf5Reader& file, const std::string& name, std::size
       field.values = std::vector<std::uint8_t>();
       break;
     case ElementType::float64:
-      file.refuse("type of the array " + path, "float64", "float32, int64, int32, uint8");
+    case ElementType::uint32:
+      file.refuse("type of the array " + path, shape.type == ElementType::uint32 ? "uint32" : "float64",
+                  "float32, int64, int32, uint8");
   }
   std::visit(
       [&](auto& values) {

@@ -75,6 +75,8 @@ hid_t file_type(ElementType type) {
       return H5T_STD_I64LE;
     case ElementType::uint8:
       return H5T_STD_U8LE;
+    case ElementType::uint32:
+      return H5T_STD_U32LE;
   }
   return H5I_INVALID_HID;
 }
@@ -91,12 +93,14 @@ hid_t memory_type(ElementType type) {
       return H5T_NATIVE_INT64;
     case ElementType::uint8:
       return H5T_NATIVE_UINT8;
+    case ElementType::uint32:
+      return H5T_NATIVE_UINT32;
   }
   return H5I_INVALID_HID;
 }
 
 constexpr ElementType kElementTypes[] = {ElementType::float32, ElementType::float64, ElementType::int32,
-                                         ElementType::int64, ElementType::uint8};
+                                         ElementType::int64,   ElementType::uint8,   ElementType::uint32};
 
 const char* type_name(ElementType type) {
   switch (type) {
@@ -110,6 +114,8 @@ const char* type_name(ElementType type) {
       return "int64";
     case ElementType::uint8:
       return "uint8";
+    case ElementType::uint32:
+      return "uint32";
   }
   return "?";
 }

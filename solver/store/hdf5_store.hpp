@@ -15,7 +15,7 @@
 
 namespace scarp {
 
-enum class ElementType { float32, float64, int32, int64, uint8 };
+enum class ElementType { float32, float64, int32, int64, uint8, uint32 };
 
 /// What one entry of an array is made of: a number, or a std::array of numbers.
 template <class V>
@@ -37,6 +37,7 @@ constexpr ElementType element_type() {
   if constexpr (std::is_same_v<T, std::int32_t>) return ElementType::int32;
   if constexpr (std::is_same_v<T, std::int64_t>) return ElementType::int64;
   if constexpr (std::is_same_v<T, std::uint8_t>) return ElementType::uint8;
+  if constexpr (std::is_same_v<T, std::uint32_t>) return ElementType::uint32;
 }
 
 struct ArrayShape {

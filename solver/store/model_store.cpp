@@ -14,7 +14,7 @@ namespace scarp {
 namespace {
 
 constexpr std::string_view kFormat = "scarp-model";
-constexpr std::int64_t kVersion = 1;
+constexpr std::int64_t kVersion = 2;
 constexpr const char* kFaces[6] = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
 
 /// PARENT/000007: names are the user's and may hold anything, so groups are numbered.
@@ -119,6 +119,9 @@ void write_body(Hdf5Writer& file, const std::string& group, const Body& body) {
     file.attribute(entry, "axis", std::int64_t{set.axis});
     file.array(entry + "/nodes", set.nodes);
   });
+  file.group(group + "/boundary");
+  file.array(group + "/boundary/vertices", body.boundary.vertices);
+  file.array(group + "/boundary/triangles", body.boundary.triangles);
 }
 
 NodeSet read_node_set(const Hdf5Reader& file, const std::string& group, const Lattice& lattice) {
@@ -137,6 +140,18 @@ NodeSet read_node_set(const Hdf5Reader& file, const std::string& group, const La
   return set;
 }
 
+TriangleMesh read_boundary(const Hdf5Reader& file, const std::string& group) {
+  TriangleMesh mesh;
+  mesh.vertices = file.array<Vec3>(group + "/vertices");
+  mesh.triangles = file.array<std::array<std::uint32_t, 3>>(group + "/triangles");
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t vertex : triangle)
+      if (vertex >= mesh.vertices.size())
+        file.refuse(group + ": vertex of a triangle", std::to_string(vertex),
+                    "below " + std::to_string(mesh.vertices.size()));
+  return mesh;
+}
+
 Body read_body(const Hdf5Reader& file, const std::string& group) {
   Body body;
   body.name = file.text_attribute(group, "name");
@@ -150,6 +165,7 @@ Body read_body(const Hdf5Reader& file, const std::string& group) {
     if (cells < 0) file.refuse(group + ": cells of the lattice", std::to_string(cells), "at least 0");
   body.held = read_list<NodeSet>(file, group + "/held",
                                  [&](const std::string& entry) { return read_node_set(file, entry, body.lattice); });
+  body.boundary = read_boundary(file, group + "/boundary");
   return body;
 }
 

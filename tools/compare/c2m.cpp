@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/core/triangle_tree.hpp"
 #include "solver/model/parallel.hpp"
 #include "tools/compare/common_frame.hpp"
 #include "tools/compare/statistics.hpp"
-#include "tools/compare/triangle_tree.hpp"
 
 namespace scarp {
 namespace {

@@ -89,6 +89,26 @@ TEST(ContactSurface, IsRoundWhereTheBodyIs) {
   }
 }
 
+/// A body that knows the boundary that it was cut from has its surface there, whatever its lattice.
+TEST(ContactSurface, StandsOnAKnownBoundary) {
+  Model disk = test::empty_model({-1, -1, 0}, {1, 1, 0}, 0.05);
+  test::seed_body(disk, "disk", kSoft, 2, [](const Vec3& X) { return std::hypot(X[0], X[1]) < 0.8; });
+  disk.bodies[0].boundary = prism_mesh(circle_outline({0, 0}, 0.8, 1e-5), 0.025);
+  Model ball = test::empty_model({-1, -1, -1}, {1, 1, 1}, 0.2);
+  test::seed_body(ball, "ball", kSoft, 2, [](const Vec3& X) { return norm(X) < 0.8; });
+  ball.bodies[0].boundary = sphere_mesh({0, 0, 0}, 0.8, 1e-4);
+  for (const auto& [model, area, tolerance] :
+       {std::tuple(&disk, 2 * pi * 0.8, 2e-5), std::tuple(&ball, 4 * pi * 0.64, 2e-4)}) {
+    const ContactSurface surface = surface_of(*model);
+    EXPECT_NEAR(total_area(surface), area, 0.05 * area);
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+      EXPECT_NEAR(norm(surface.Y[i]), 0.8, tolerance);
+      EXPECT_NEAR(norm(surface.N[i]), 1, 1e-12);
+      EXPECT_GT(dot(surface.N[i], surface.Y[i]), 0.8 * 0.999);
+    }
+  }
+}
+
 /// Shape functions continued to the surface still sum to one and reproduce places.
 TEST(ContactSurface, WeightsReproduceItsPlaces) {
   Model model = test::empty_model({-1, -1, -1}, {1, 1, 1}, 0.2);

@@ -46,6 +46,39 @@ TEST(Discretize, HasTheSameBitsForAnyNumberOfThreads) {
   for (int threads : {2, 3}) test::expect_same_bits(one, scene.build(threads));
 }
 
+TEST(Discretize, BodiesKnowTheirBoundary) {
+  Scene solid(3, 0.5);
+  solid.body("box", test::box({0, 0, 0}, {1, 2, 3}));
+  solid.body("ball", SphereVolume{{{5, 5, 5}, 1}});
+  solid.meshes["box.ply"] = box_mesh({{8, 8, 8}, {9, 9, 9}});
+  solid.body("mesh", MeshVolume{{"box.ply"}});
+  solid.scans["scan"] = grid_scan(4, 0, 4, hill);
+  solid.body("ground", sunk_by(2));
+  Scene flat(2, 0.5);
+  flat.body("box", test::box({0, 0, 0}, {1, 2, 0}));
+  flat.body("disk", DiskVolume{{{5, 5, 0}, 1}});
+  flat.body("polygon", PolygonVolume{{{7, 0}, {9, 0}, {8, 2}}});
+  for (const Scene& scene : {solid, flat}) {
+    const Model model = scene.build();
+    for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+      const Body& body = model.bodies[b];
+      if (body.name == "ground") {
+        EXPECT_TRUE(body.boundary.triangles.empty());
+        continue;
+      }
+      // By the divergence theorem; of a prism, which has no ends, from the flux through its sides alone.
+      double volume = 0;
+      for (const auto& t : body.boundary.triangles) {
+        const auto& v = body.boundary.vertices;
+        const Vec3 area = 0.5 * cross(v[t[1]] - v[t[0]], v[t[2]] - v[t[0]]);
+        volume += dot(area, v[t[0]]) / scene.scenario.domain.dimension;
+      }
+      if (scene.scenario.domain.dimension == 2) volume /= 2 * body.boundary.vertices[1][2];
+      EXPECT_NEAR(volume, model.volumes[b].input_volume, body.name == "ball" ? 0.02 : 0.01) << body.name;
+    }
+  }
+}
+
 TEST(Discretize, RulesGoByPointAndLaterOnesWin) {
   const Scene scene = busy_scene();
   const Model model = scene.build(2);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The scarp developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/compare/triangle_tree.hpp"
+#include "solver/core/triangle_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,16 +70,15 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
 
 void TriangleTree::read_triangles(const TriangleMesh& mesh) {
   if (mesh.triangles.size() >= (std::size_t{1} << 31))
-    throw Error("compare", "triangles of the mesh", std::to_string(mesh.triangles.size()), "below 2^31");
+    throw Error("mesh", "triangles of the mesh", std::to_string(mesh.triangles.size()), "below 2^31");
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    if (!is_finite(mesh.vertices[v]))
-      throw Error("compare", "vertex " + std::to_string(v) + " of the mesh is not finite");
+    if (!is_finite(mesh.vertices[v])) throw Error("mesh", "vertex " + std::to_string(v) + " of the mesh is not finite");
   triangles_.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& v = mesh.triangles[t];
     for (std::uint32_t index : v)
       if (index >= mesh.vertices.size())
-        throw Error("compare", "triangle " + std::to_string(t) + " of the mesh names a vertex that is not there",
+        throw Error("mesh", "triangle " + std::to_string(t) + " of the mesh names a vertex that is not there",
                     std::to_string(index), "below " + std::to_string(mesh.vertices.size()));
     Triangle triangle{};
     for (std::size_t k = 0; k < 3; ++k) triangle.corners[k] = mesh.vertices[v[k]];
@@ -94,7 +93,7 @@ void TriangleTree::read_triangles(const TriangleMesh& mesh) {
     triangle.normal = (1 / size) * area;
     triangles_.push_back(triangle);
   }
-  if (triangles_.empty()) throw Error("compare", "the mesh has no triangle with an area", "0", "at least 1");
+  if (triangles_.empty()) throw Error("mesh", "the mesh has no triangle with an area", "0", "at least 1");
 }
 
 /// Sums the normals of the triangles at each edge. Edges are the pairs of their vertices, sorted.
@@ -201,13 +200,14 @@ std::optional<ClosestPoint> TriangleTree::closest(const Vec3& p, double max_dist
   return best;
 }
 
-double TriangleTree::side(const Vec3& p, const ClosestPoint& closest) const {
+const Vec3& TriangleTree::normal(const ClosestPoint& closest) const {
   const Triangle& t = triangles_[place_of_[closest.triangle]];
   const auto feature = static_cast<std::size_t>(closest.feature);
-  const Vec3& normal = feature == 0  ? t.normal
-                       : feature < 4 ? t.edge_normals[feature - 1]
-                                     : vertex_normals_[t.vertices[feature - 4]];
-  return dot(p - closest.point, normal);
+  return feature == 0 ? t.normal : feature < 4 ? t.edge_normals[feature - 1] : vertex_normals_[t.vertices[feature - 4]];
+}
+
+double TriangleTree::side(const Vec3& p, const ClosestPoint& closest) const {
+  return dot(p - closest.point, normal(closest));
 }
 
 bool TriangleTree::on_border(const ClosestPoint& closest) const {

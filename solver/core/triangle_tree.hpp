@@ -33,12 +33,15 @@ ClosestPoint closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, co
 /// 2005). Triangles without area are left out.
 class TriangleTree {
  public:
-  /// @throws Error ("compare") for a mesh without any triangle of some area, a vertex that is not finite, an index
+  /// @throws Error ("mesh") for a mesh without any triangle of some area, a vertex that is not finite, an index
   ///   without its vertex, or 2^31 triangles.
   explicit TriangleTree(const TriangleMesh& mesh);
 
   /// The nearest point at a distance <= max_distance; of triangles that are equally near the first of the mesh.
   std::optional<ClosestPoint> closest(const Vec3& p, double max_distance) const;
+
+  /// The angle-weighted pseudo-normal there: its direction, not of unit length.
+  const Vec3& normal(const ClosestPoint& closest) const;
 
   /// Positive on the side to which the normals point, negative on the other, 0 on the surface.
   double side(const Vec3& p, const ClosestPoint& closest) const;
