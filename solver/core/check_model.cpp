@@ -124,6 +124,8 @@ void check_pair(const Model& model, const ContactPairOptions& pair, const std::s
   if (!pair.bodies.empty() && names[0] == names[1]) refuse(name, "'" + names[0] + "' twice", "two bodies");
   if (!(pair.friction >= 0) || !std::isfinite(pair.friction))
     refuse("friction of " + name, shortest(pair.friction), "0 or above");
+  if (pair.adhesion && (!(*pair.adhesion >= 0) || !std::isfinite(*pair.adhesion)))
+    refuse("adhesion of " + name, shortest(*pair.adhesion), "0 Pa or above");
 }
 
 }  // namespace
@@ -194,15 +196,23 @@ void check_contact(const Model& model, const SolverOptions& options) {
     refuse("contact.friction", shortest(contact.friction), "0 or above");
   if (!(contact.stiffness > 0) || !std::isfinite(contact.stiffness))
     refuse("contact.stiffness", shortest(contact.stiffness), "above 0");
+  const auto adheres = [](const ContactPairOptions& pair) { return pair.adhesion.value_or(0) > 0; };
+  const bool any = contact.adhesion > 0 || std::any_of(contact.pairs.begin(), contact.pairs.end(), adheres);
+  if (!(contact.adhesion >= 0) || !std::isfinite(contact.adhesion))
+    refuse("contact.adhesion", shortest(contact.adhesion), "0 Pa or above");
+  if (any && (contact.method != ContactMethod::grid || has_formulation(model, Formulation::total_lagrangian)))
+    refuse("adhesion in contact", "given", "none, or method \"grid\" between updated-Lagrangian bodies alone");
   for (std::size_t i = 0; i < contact.pairs.size(); ++i)
     check_pair(model, contact.pairs[i], "contact.pairs." + std::to_string(i));
   if (contact.method == ContactMethod::none) {
     if (!contact.pairs.empty()) refuse("contact.pairs with method \"none\"", "given", "none, or another method");
     return;
   }
-  if (!has_formulation(model, Formulation::total_lagrangian))
+  if (contact.method == ContactMethod::penalty && !has_formulation(model, Formulation::total_lagrangian))
     refuse("contact.method without a total-Lagrangian body", "penalty",
-           "\"none\": updated-Lagrangian bodies meet on the grid that they share");
+           "\"grid\", or \"none\": updated-Lagrangian bodies meet and stick on the grid that they share");
+  if (contact.method == ContactMethod::grid && !has_formulation(model, Formulation::updated_lagrangian))
+    refuse("contact.method without an updated-Lagrangian body", "grid", "\"penalty\" or \"none\"");
   if (options.relax)
     refuse("solver.relax with contact", "given", "none: displacements begin anew after it, and contact would open");
   if (options.reference_update)

@@ -7,50 +7,20 @@
 #include <numeric>
 
 #include "solver/core/contact.hpp"
+#include "solver/core/contact_laws.hpp"
 #include "solver/core/wave_speeds.hpp"
 #include "solver/model/error.hpp"
 
 namespace scarp {
-namespace {
-
-std::size_t index_of_material(const Model& model, const std::string& name) {
-  return static_cast<std::size_t>(std::find_if(model.materials.begin(), model.materials.end(),
-                                               [&](const NamedMaterial& m) { return m.name == name; }) -
-                                  model.materials.begin());
-}
-
-std::vector<double> friction_of_materials(const Model& model) {
-  const std::size_t count = model.materials.size();
-  std::vector<double> friction(count * count, model.contact.friction);
-  for (const ContactPairOptions& pair : model.contact.pairs) {
-    if (pair.materials.empty()) continue;
-    const std::size_t a = index_of_material(model, pair.materials[0]), b = index_of_material(model, pair.materials[1]);
-    friction[a * count + b] = friction[b * count + a] = pair.friction;
-  }
-  return friction;
-}
-
-std::optional<double> friction_of_bodies(const Model& model, std::int32_t a, std::int32_t b) {
-  std::optional<double> friction;
-  for (const ContactPairOptions& pair : model.contact.pairs) {
-    if (pair.bodies.empty()) continue;
-    const std::string &first = model.bodies[a].name, &second = model.bodies[b].name;
-    if ((pair.bodies[0] == first && pair.bodies[1] == second) || (pair.bodies[0] == second && pair.bodies[1] == first))
-      friction = pair.friction;
-  }
-  return friction;
-}
-
-}  // namespace
 
 Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* updated)
     : model_(model),
       total_(total),
       updated_(updated),
       dimension_(model.domain.dimension),
-      material_friction_(friction_of_materials(model)),
       net_(model.bodies.size(), Vec3{0, 0, 0}),
       impulse_(model.bodies.size(), Vec3{0, 0, 0}) {
+  for (const ContactLaw& law : contact_laws_of_materials(model)) material_friction_.push_back(law.friction);
   std::size_t next = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     if (model.bodies[b].formulation == Formulation::total_lagrangian)
@@ -132,7 +102,8 @@ void Contact::add_links() {
       link.slave = a;
       link.master = b;
       link.share = bodies_[a].total ? 0.5 : 1;
-      link.friction = friction_of_bodies(model_, bodies_[a].body, bodies_[b].body);
+      if (const auto law = contact_law_of_bodies(model_, bodies_[a].body, bodies_[b].body))
+        link.friction = law->friction;
       link.stretch.assign(bodies_[a].size(), Vec3{0, 0, 0});
       link.touching.assign(bodies_[a].size(), 0);
       links_.push_back(std::move(link));

@@ -7,6 +7,7 @@
 
 #include "solver/core/check_model.hpp"
 #include "solver/core/current_wave_speed.hpp"
+#include "solver/core/grid_contact.hpp"
 #include "solver/core/history.hpp"
 #include "solver/core/output_clock.hpp"
 #include "solver/core/reference_grid.hpp"
@@ -77,6 +78,7 @@ RunEstimate estimate(const Model& model, const SolverOptions& options, const Out
   check_options(options, model.domain.dimension);
   check_options(output);
   check_formulations(model, options);
+  check_contact(model, options);
   find_particle_forces(model);  // refuses loads
   RunEstimate result;
   const double count = static_cast<double>(model.particles.size());
@@ -99,6 +101,7 @@ RunEstimate estimate(const Model& model, const SolverOptions& options, const Out
     if (options.transfer == Transfer::apic) grid.affine.resize(model.particles.size());
     const UpdatedConditions conditions(model, grid, options.damping);  // refuses loads
     result.memory_bytes += memory_bytes(grid);
+    if (grid.fields.size() > 1) result.memory_bytes += GridContact(model, grid).memory_bytes();  // refuses pairs
     fastest = std::max(fastest, fastest_signal_per_cell(model, grid));
   }
   result.time_step = options.courant / fastest;

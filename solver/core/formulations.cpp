@@ -28,7 +28,7 @@ Formulations::Formulations(Model& model, const SolverOptions& options, int threa
   set_k0_stress(model, options, threads);
   if (has_formulation(model, Formulation::total_lagrangian)) total_.emplace(model, options, threads, kernels);
   if (has_formulation(model, Formulation::updated_lagrangian)) updated_.emplace(model, options, threads, kernels);
-  if (model.contact.method == ContactMethod::penalty)
+  if (model.contact.method != ContactMethod::none && total_)
     contact_.emplace(model, total_ ? &*total_ : nullptr, updated_ ? &*updated_ : nullptr);
 }
 
@@ -94,7 +94,7 @@ void Formulations::rest() {
   if (total_) total_->rest();
   model_.particles.velocity = std::move(start_velocity_);
   if (updated_) updated_->rest();
-  time_ = 0;
+  time_ = measured_ = 0;
 }
 
 void Formulations::set_time(double time) {
@@ -136,12 +136,23 @@ HistorySample Formulations::measure(Diagnostics& diagnostics) {
   sample.kinetic += affine.kinetic;
   sample.total += affine.kinetic;
   sample.angular_momentum = sample.angular_momentum + affine.angular_momentum;
+  measure_contact(sample);
+  return sample;
+}
+
+void Formulations::measure_contact(HistorySample& sample) {
+  if (model_.contact.method == ContactMethod::none) return;
   if (contact_) {
     sample.contact = contact_->stored();
     sample.total += sample.contact;
     sample.contact_force = contact_->take_mean_force();
   }
-  return sample;
+  sample.contact_force.resize(model_.bodies.size(), Vec3{0, 0, 0});
+  const std::vector<Vec3> impulse = updated_ ? updated_->take_contact_impulse() : std::vector<Vec3>();
+  if (time_ > measured_)
+    for (std::size_t b = 0; b < impulse.size(); ++b)
+      sample.contact_force[b] = sample.contact_force[b] + (1 / (time_ - measured_)) * impulse[b];
+  measured_ = time_;
 }
 
 std::vector<std::string> Formulations::obstacles() const {

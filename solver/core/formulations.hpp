@@ -64,11 +64,12 @@ class Formulations {
 
  private:
   AffineMotion affine_motion() const;
+  void measure_contact(HistorySample& sample);
 
   Model& model_;
   Vec3 gravity_;
   int threads_;
-  double time_ = 0;
+  double time_ = 0, measured_ = 0;
   std::vector<Vec3> start_velocity_;
   std::optional<TotalLagrangian> total_;
   std::optional<UpdatedLagrangian> updated_;

@@ -30,6 +30,7 @@ UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options,
     grid_.law_parameters = kernels_of(model);
     use_kernels(grid_, model.particles, kernels);
   }
+  if (grid_.fields.size() > 1) contact_.emplace(model, grid_);
   find_speeds();
 }
 
@@ -73,6 +74,7 @@ void UpdatedLagrangian::step(double dt) {
   if (affine) add_affine_momenta(particles, grid_, threads_);  // (1)
   find_node_velocities(grid_, threads_);                       // (2)
   conditions_.hold(grid_);
+  bind_mapped(dt);
   if (order_ == UpdateOrder::usf) {
     take(update_stress(particles, grid_, laws_, dt, threads_));  // (5), (6)
     map_forces(particles, grid_, threads_);                      // (1)
@@ -80,6 +82,7 @@ void UpdatedLagrangian::step(double dt) {
   if (!in_contact_.empty()) add_particle_forces(grid_, contact_force_, threads_);
   advance_nodes(grid_, gravity, dt, threads_);  // (2)
   work_ = work_ + conditions_.act(grid_, time_, dt, gravity - options_.gravity, options_.ramp(time_, dt), threads_);
+  touch(dt);
   if (options_.transfer == Transfer::xpic) {
     conditions_.find_kept_axes(grid_);
     filter_velocities(particles, grid_, options_.xpic_order, threads_);  // (3)
@@ -92,10 +95,39 @@ void UpdatedLagrangian::step(double dt) {
     else
       take_updated_velocities(grid_, threads_);  // (5)
     conditions_.hold(grid_);
+    bind_remapped(dt);
     take(update_stress(particles, grid_, laws_, dt, threads_));  // (5), (6)
   }
   place();
   time_ += dt;
+}
+
+/// Contact of v_I before forces act.
+void UpdatedLagrangian::bind_mapped(double dt) {
+  if (!contact_) return;
+  contact_->look(model_.particles, grid_, threads_);
+  conditions_.find_kept_axes(grid_);
+  contact_->hold(grid_, dt, threads_);
+}
+
+/// Contact of v~_I after all other conditions.
+void UpdatedLagrangian::touch(double dt) {
+  if (!contact_) return;
+  conditions_.find_kept_axes(grid_);
+  const double handed = options_.transfer == Transfer::flip ? 1 - options_.velocity_update(dt).less : 1;
+  work_.friction += contact_->act(grid_, dt, handed, threads_);
+}
+
+/// Contact of the v_I that velocity gradients are taken of.
+void UpdatedLagrangian::bind_remapped(double dt) {
+  if (contact_ && order_ == UpdateOrder::musl) contact_->hold_after(grid_, dt, threads_);
+}
+
+std::vector<Vec3> UpdatedLagrangian::take_contact_impulse() {
+  if (!contact_) return {};
+  std::vector<Vec3> impulse = contact_->impulse();
+  contact_->forget_impulse();
+  return impulse;
 }
 
 void UpdatedLagrangian::push_contact(const std::vector<std::uint32_t>& particles, const std::vector<Vec3>& forces) {

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "solver/core/apic.hpp"
+#include "solver/core/grid_contact.hpp"
 #include "solver/core/step_options.hpp"
 #include "solver/core/updated_conditions.hpp"
 #include "solver/core/updated_grid.hpp"
@@ -15,8 +17,8 @@
 namespace scarp {
 
 /// Explicit updated-Lagrangian MPM (method.md 1.1; Sulsky, Zhou, Schreyer 1995; Bardenhagen 2002 for the orders of the
-/// stress update) of all bodies of this formulation, on one grid: they meet, stick and part through it. 3D and plane
-/// strain.
+/// stress update) of all bodies of this formulation, on one grid: they meet, stick and part through it, or with a field
+/// of velocities for each, between which there is GridContact. 3D and plane strain.
 class UpdatedLagrangian {
  public:
   /// @param model  checked and sorted by cell; must outlive this object
@@ -44,6 +46,9 @@ class UpdatedLagrangian {
   /// @param particles  index into Model::particles
   void push_contact(const std::vector<std::uint32_t>& particles, const std::vector<Vec3>& forces);
 
+  /// Of GridContact, on each body of the model since the last call, N s; empty without.
+  std::vector<Vec3> take_contact_impulse();
+
   /// For a start at rest (see relax): velocities are zero, damping is `damping`, absorbing faces and loads hold still.
   void begin_relaxing(double damping);
   /// Ends it: each particle's position is its reference position, so that displacements count from here; stress, F and
@@ -61,6 +66,9 @@ class UpdatedLagrangian {
   void find_speeds();
   void place();
   void take(const UpdatedOutcome& outcome);
+  void bind_mapped(double dt);
+  void touch(double dt);
+  void bind_remapped(double dt);
 
   Model& model_;
   std::vector<PreparedLaw> laws_;
@@ -68,6 +76,7 @@ class UpdatedLagrangian {
   UpdateOrder order_;
   StepOptions options_;
   UpdatedConditions conditions_;
+  std::optional<GridContact> contact_;
   NodeWork work_;
   std::vector<Vec3> contact_force_;        ///< per particle of the model, N; empty without contact
   std::vector<std::uint32_t> in_contact_;  ///< particles with such a force

@@ -53,7 +53,7 @@ std::array<int, 3> offset_of(const UpdatedGrid& grid, const Body& body) {
   return offset;
 }
 
-void hold_set(UpdatedGrid& grid, const NodeSet& set, const Body& body) {
+void hold_set(const UpdatedGrid& grid, UpdatedField& field, const NodeSet& set, const Body& body) {
   if (set.condition == Condition::roller && (set.axis < 0 || set.axis >= grid.dimension))
     throw Error("solve", "axis of the roller '" + set.name + "' of body '" + body.name + "'", std::to_string(set.axis),
                 "0 to " + std::to_string(grid.dimension - 1));
@@ -64,7 +64,7 @@ void hold_set(UpdatedGrid& grid, const NodeSet& set, const Body& body) {
     for (int k = range[2].first; k <= range[2].second; ++k)
       for (int j = range[1].first; j <= range[1].second; ++j)
         for (int i = range[0].first; i <= range[0].second; ++i)
-          grid.held_by_set[grid.lattice_node({i, j, k})] |= bits(set.condition, set.axis);
+          field.held_by_set[grid.lattice_node({i, j, k})] |= bits(set.condition, set.axis);
   }
 }
 
@@ -74,25 +74,29 @@ void find_held_axes(UpdatedGrid& grid, const Model& model) {
   for (int a = 0; a < grid.dimension; ++a)
     for (int side = 0; side < 2; ++side)
       grid.held_by_face[2 * a + side] = bits_of_face(model.domain.faces[2 * a + side], a);
-  for (const Body& body : model.bodies) {
-    if (body.formulation != Formulation::updated_lagrangian || body.held.empty()) continue;
-    const auto& n = grid.node_count;
-    grid.held_by_set.resize(static_cast<std::size_t>(n[0]) * n[1] * n[2], 0);
-    for (const NodeSet& set : body.held) hold_set(grid, set, body);
-  }
+  for (UpdatedField& field : grid.fields)
+    for (const std::int32_t b : field.bodies) {
+      const Body& body = model.bodies[b];
+      if (body.held.empty()) continue;
+      const auto& n = grid.node_count;
+      field.held_by_set.resize(static_cast<std::size_t>(n[0]) * n[1] * n[2], 0);
+      for (const NodeSet& set : body.held) hold_set(grid, field, set, body);
+    }
 }
 
 void hold_nodes(UpdatedGrid& grid, int threads) {
   const int beyond = grid.shape == ShapeFunction::gimp ? 1 : 0;
-  parallel_for(grid.nodes.size(), threads, [&](std::size_t i) {
-    const auto& n = grid.nodes[i];
-    std::uint8_t held = grid.held_by_set.empty() ? 0 : grid.held_by_set[grid.lattice_node(n)];
-    for (int a = 0; a < grid.dimension; ++a) {
-      if (n[a] <= beyond) held |= grid.held_by_face[2 * a];
-      if (n[a] >= grid.node_count[a] - 1 - beyond) held |= grid.held_by_face[2 * a + 1];
-    }
-    grid.held[i] = held;
-  });
+  for (const UpdatedField& field : grid.fields)
+    parallel_for(field.node_end - field.node_begin, threads, [&](std::size_t k) {
+      const std::size_t i = field.node_begin + k;
+      const auto& n = grid.nodes[i];
+      std::uint8_t held = field.held_by_set.empty() ? 0 : field.held_by_set[grid.lattice_node(n)];
+      for (int a = 0; a < grid.dimension; ++a) {
+        if (n[a] <= beyond) held |= grid.held_by_face[2 * a];
+        if (n[a] >= grid.node_count[a] - 1 - beyond) held |= grid.held_by_face[2 * a + 1];
+      }
+      grid.held[i] = held;
+    });
 }
 
 }  // namespace scarp

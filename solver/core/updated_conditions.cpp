@@ -124,7 +124,7 @@ void UpdatedConditions::find_faces(const UpdatedGrid& grid) {
   NodeFaces faces(model_.domain, grid.cell, node_positions(grid), grid.held, speeds, false, mass_depth(grid.shape));
   faces.take_over(conditions_.faces);
   faces.each_support([&](std::uint32_t node, int side, Vec3& support) {
-    const auto found = supports_.find({grid.lattice_node(grid.nodes[node]), side});
+    const auto found = supports_.find({field_of_node(grid, node), grid.lattice_node(grid.nodes[node]), side});
     if (found != supports_.end()) support = found->second;
   });
   conditions_.faces = std::move(faces);
@@ -176,7 +176,7 @@ void UpdatedConditions::rest(UpdatedGrid& grid) {
   conditions_.faces.hold_still(false);
   conditions_.loads.hold_still(false);
   conditions_.faces.each_support([&](std::uint32_t node, int side, const Vec3& support) {
-    supports_[{grid.lattice_node(grid.nodes[node]), side}] = support;
+    supports_[{field_of_node(grid, node), grid.lattice_node(grid.nodes[node]), side}] = support;
   });
 }
 

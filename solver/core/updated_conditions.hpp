@@ -3,7 +3,7 @@
 #pragma once
 
 #include <map>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "solver/core/node_conditions.hpp"
@@ -49,10 +49,10 @@ class UpdatedConditions {
   const Model& model_;
   NodeConditions conditions_;
   double damping_;
-  bool acting_faces_;                                     ///< some face has friction or dashpots
-  std::uint64_t followed_ = 0;                            ///< UpdatedGrid::placings
-  std::vector<Vec2> material_speeds_;                     ///< c_p and c_s; empty where no face is absorbing
-  std::map<std::pair<std::size_t, int>, Vec3> supports_;  ///< by node of the lattice and side, N
+  bool acting_faces_;                  ///< some face has friction or dashpots
+  std::uint64_t followed_ = 0;         ///< UpdatedGrid::placings
+  std::vector<Vec2> material_speeds_;  ///< c_p and c_s; empty where no face is absorbing
+  std::map<std::tuple<std::size_t, std::size_t, int>, Vec3> supports_;  ///< by field, node of the lattice and side, N
   std::vector<ParticleForces> loads_;
   std::vector<Vec3> particle_force_;  ///< per particle of the model, N; empty where none is loaded
 };

@@ -47,17 +47,26 @@ void lay_lattice(UpdatedGrid& grid, const Domain& domain) {
   }
 }
 
+void add_body(UpdatedGrid& grid, const Model& model, std::int32_t index) {
+  const Body& body = model.bodies[index];
+  if (grid.fields.empty() || model.contact.method == ContactMethod::grid) {
+    grid.fields.emplace_back();
+    grid.fields.back().begin = grid.particles.size();
+  }
+  for (std::size_t p = body.begin; p < body.end; ++p) grid.particles.push_back(static_cast<std::uint32_t>(p));
+  grid.fields.back().bodies.push_back(index);
+  grid.fields.back().end = grid.particles.size();
+}
+
 void choose_particles(UpdatedGrid& grid, const Model& model) {
   if (model.particles.size() >= UpdatedGrid::kNone)
     throw Error("solve", "number of particles", std::to_string(model.particles.size()), "below 2^32 - 1");
   double density = 0;
-  for (const Body& body : model.bodies) {
-    if (body.formulation != Formulation::updated_lagrangian) continue;
-    for (std::size_t p = body.begin; p < body.end; ++p) {
-      grid.particles.push_back(static_cast<std::uint32_t>(p));
-      density = std::max(density, model.particles.mass[p] / model.particles.reference_volume[p]);
-    }
-  }
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (model.bodies[b].formulation == Formulation::updated_lagrangian)
+      add_body(grid, model, static_cast<std::int32_t>(b));
+  for (const std::uint32_t p : grid.particles)
+    density = std::max(density, model.particles.mass[p] / model.particles.reference_volume[p]);
   grid.light_mass = 1e-10 * density * std::pow(grid.cell, grid.dimension);
 }
 
@@ -81,7 +90,7 @@ double slack_of(const UpdatedGrid& grid, std::size_t particle) {
 }
 
 /// Of the cell that holds particle p, or kNone, and its place in it.
-std::uint32_t place(UpdatedGrid& grid, const Vec3& x, std::uint32_t p) {
+std::uint32_t place(UpdatedGrid& grid, std::size_t field, const Vec3& x, std::uint32_t p) {
   const bool has_size = !grid.half_edge.empty();
   const double slack = slack_of(grid, p), beyond = has_size ? grid.half_edge[p] : -kInside, per_cell = 1 / grid.cell;
   std::array<std::int32_t, 3> block{0, 0, 0};
@@ -95,7 +104,7 @@ std::uint32_t place(UpdatedGrid& grid, const Vec3& x, std::uint32_t p) {
     block[a] = c >> bits;
     inside = inside << bits | (c & (grid.block_edge - 1));
   }
-  return static_cast<std::uint32_t>(grid.lattice_block(block)) * UpdatedGrid::kBlockCells + inside;
+  return static_cast<std::uint32_t>(grid.lattice_block(field, block)) * UpdatedGrid::kBlockCells + inside;
 }
 
 kernels::PlaceSweep place_sweep(UpdatedGrid& grid, const Particles& particles) {
@@ -115,11 +124,12 @@ kernels::PlaceSweep place_sweep(UpdatedGrid& grid, const Particles& particles) {
   return sweep;
 }
 
-/// Of the entries [begin, end) of the list of particles.
-void find_keys(UpdatedGrid& grid, const Particles& particles, std::size_t begin, std::size_t end, KeyBlock& found) {
+/// Of the entries [begin, end) of the list of particles, which are of one field.
+void find_keys(UpdatedGrid& grid, const Particles& particles, std::size_t field, std::size_t begin, std::size_t end,
+               KeyBlock& found) {
   for (std::size_t j = begin; j < end; ++j) {
     const std::uint32_t p = grid.particles[j];
-    const std::uint32_t key = place(grid, particles.position[p], p);
+    const std::uint32_t key = place(grid, field, particles.position[p], p);
     if (key == UpdatedGrid::kNone) found.outside = std::min(found.outside, j);
     found.changed |= key != grid.cell_keys[j];
     grid.cell_keys[j] = key;
@@ -132,11 +142,18 @@ KeyBlock find_keys(UpdatedGrid& grid, const Particles& particles, int threads) {
   found.assign((count + kPerTask - 1) / kPerTask, {});
   const kernels::PlaceSweep sweep = place_sweep(grid, particles);
   parallel_for(found.size(), threads, [&](std::size_t t) {
-    const std::size_t begin = t * kPerTask, end = std::min(count, (t + 1) * kPerTask);
-    if (grid.kernels)
-      grid.kernels->particles.place[grid.dimension - 2](sweep, grid.particles.data(), begin, end, found[t]);
-    else
-      find_keys(grid, particles, begin, end, found[t]);
+    for (std::size_t f = 0; f < grid.fields.size(); ++f) {
+      const std::size_t begin = std::max(t * kPerTask, grid.fields[f].begin);
+      const std::size_t end = std::min((t + 1) * kPerTask, grid.fields[f].end);
+      if (begin >= end) continue;
+      if (!grid.kernels) {
+        find_keys(grid, particles, f, begin, end, found[t]);
+        continue;
+      }
+      kernels::PlaceSweep of_field = sweep;
+      of_field.field = static_cast<double>(f);
+      grid.kernels->particles.place[grid.dimension - 2](of_field, grid.particles.data(), begin, end, found[t]);
+    }
   });
   KeyBlock all;
   for (const KeyBlock& keys : found) {
@@ -158,19 +175,24 @@ std::uint32_t block_of(UpdatedGrid& grid, std::uint32_t key) {
   if (block == UpdatedGrid::kNone) {
     block = static_cast<std::uint32_t>(grid.blocks.size());
     const auto nx = static_cast<std::uint32_t>(grid.block_count[0]),
-               ny = static_cast<std::uint32_t>(grid.block_count[1]);
+               ny = static_cast<std::uint32_t>(grid.block_count[1]),
+               nz = static_cast<std::uint32_t>(grid.block_count[2]);
     grid.blocks.push_back({static_cast<std::int32_t>(place % nx), static_cast<std::int32_t>(place / nx % ny),
-                           static_cast<std::int32_t>(place / nx / ny)});
+                           static_cast<std::int32_t>(place / nx / ny % nz)});
+    grid.block_field.push_back(place / nx / ny / nz);
     grid.counts.resize(grid.counts.size() + UpdatedGrid::kBlockCells, 0);
   }
   return block;
 }
 
-/// A stable counting sort of the particles by cell; blocks stand in the order in which particles name them.
+/// A stable counting sort of the particles by cell; blocks stand in the order in which particles name them, and so by
+/// field.
 void sort_into_cells(UpdatedGrid& grid) {
   constexpr int in_block = UpdatedGrid::kBlockCells;
-  for (const auto& b : grid.blocks) grid.block_of_lattice[grid.lattice_block(b)] = UpdatedGrid::kNone;
+  for (std::size_t b = 0; b < grid.blocks.size(); ++b)
+    grid.block_of_lattice[grid.lattice_block(grid.block_field[b], grid.blocks[b])] = UpdatedGrid::kNone;
   grid.blocks.clear();
+  grid.block_field.clear();
   grid.counts.clear();
   for (std::uint32_t key : grid.cell_keys) {
     const std::size_t block = block_of(grid, key);
@@ -183,17 +205,17 @@ void sort_into_cells(UpdatedGrid& grid) {
   grid.block_begin.assign(1, 0);
   std::uint32_t begin = 0;
   for (std::size_t b = 0; b < grid.blocks.size(); ++b) {
-    const auto place = static_cast<std::uint32_t>(grid.lattice_block(grid.blocks[b]));
+    const auto place = static_cast<std::uint32_t>(grid.lattice_block(grid.block_field[b], grid.blocks[b]));
     for (int inside = 0; inside < in_block; ++inside) {
       std::uint32_t& count = grid.counts[b * in_block + inside];
-      if (count == 0) continue;
+      const std::uint32_t own = count;
+      count = begin;
+      if (own == 0) continue;
       const auto cell = cell_in(grid, grid.blocks[b], inside);
       const int e = grid.block_edge, t = grid.tile_edge;
       grid.cells.push_back(cell);
       grid.occupied.push_back(place * in_block + inside);
       grid.first_in_tile.push_back((cell[2] % e * t + cell[1] % e) * t + cell[0] % e);
-      const std::uint32_t own = count;
-      count = begin;
       grid.cell_begin.push_back(begin += own);
     }
     grid.block_begin.push_back(static_cast<std::uint32_t>(grid.cells.size()));
@@ -225,15 +247,27 @@ void number_nodes_of(UpdatedGrid& grid, std::size_t block) {
         }
 }
 
+/// Ends what node_of_lattice says of a field.
+void forget_nodes(UpdatedGrid& grid, const UpdatedField& field) {
+  for (std::uint32_t i = field.node_begin; i < field.node_end; ++i)
+    grid.node_of_lattice[grid.lattice_node(grid.nodes[i])] = UpdatedGrid::kNone;
+}
+
 void number_nodes(UpdatedGrid& grid) {
-  for (const auto& n : grid.nodes) grid.node_of_lattice[grid.lattice_node(n)] = UpdatedGrid::kNone;
+  forget_nodes(grid, grid.fields.back());
   grid.nodes.clear();
   grid.tile_nodes.assign(grid.blocks.size() * grid.tile(), UpdatedGrid::kNone);
   for (auto& colour : grid.colours) colour.clear();
-  for (std::size_t b = 0; b < grid.blocks.size(); ++b) {
-    const auto& place = grid.blocks[b];
-    grid.colours[(place[0] & 1) + 2 * (place[1] & 1) + 4 * (place[2] & 1)].push_back(static_cast<std::uint32_t>(b));
-    number_nodes_of(grid, b);
+  for (std::size_t b = 0, f = 0; f < grid.fields.size(); ++f) {
+    UpdatedField& field = grid.fields[f];
+    if (f > 0) forget_nodes(grid, grid.fields[f - 1]);
+    field.node_begin = static_cast<std::uint32_t>(grid.nodes.size());
+    for (; b < grid.blocks.size() && grid.block_field[b] == f; ++b) {
+      const auto& place = grid.blocks[b];
+      grid.colours[(place[0] & 1) + 2 * (place[1] & 1) + 4 * (place[2] & 1)].push_back(static_cast<std::uint32_t>(b));
+      number_nodes_of(grid, b);
+    }
+    field.node_end = static_cast<std::uint32_t>(grid.nodes.size());
   }
   const std::size_t nodes = grid.nodes.size();
   grid.tiles.resize(grid.tile_nodes.size());
@@ -262,11 +296,14 @@ UpdatedGrid make_updated_grid(const Model& model, ShapeFunction shape, int threa
   grid.tile_edge = grid.block_edge + grid.width - 1;
   for (int a = 0; a < grid.dimension; ++a)
     grid.block_count[a] = (grid.cell_count[a] + grid.block_edge - 1) / grid.block_edge;
-  const auto product = [](const std::array<std::int32_t, 3>& n) {
-    return static_cast<std::size_t>(n[0]) * n[1] * n[2];
-  };
-  grid.block_of_lattice.assign(product(grid.block_count), UpdatedGrid::kNone);
-  grid.node_of_lattice.assign(product(grid.node_count), UpdatedGrid::kNone);
+  const double keys = static_cast<double>(grid.lattice_blocks() * UpdatedGrid::kBlockCells);
+  if (!(keys * static_cast<double>(grid.fields.size()) < UpdatedGrid::kNone))
+    throw Error("solve", "cells of the domain x bodies with a field of their own",
+                shortest(keys) + " x " + std::to_string(grid.fields.size()),
+                "below 2^32: a smaller domain, larger cells, or contact.method other than \"grid\"");
+  grid.block_of_lattice.assign(grid.lattice_blocks() * grid.fields.size(), UpdatedGrid::kNone);
+  const auto& n = grid.node_count;
+  grid.node_of_lattice.assign(static_cast<std::size_t>(n[0]) * n[1] * n[2], UpdatedGrid::kNone);
   grid.cell_keys.assign(grid.particles.size(), UpdatedGrid::kNone);
   grid.members.resize(grid.particles.size());
   grid.xi.assign(model.particles.size(), Vec3{0, 0, 0});
@@ -315,7 +352,8 @@ double memory_bytes(const UpdatedGrid& grid) {
   const auto add = [&](const auto&... arrays) {
     ((bytes += static_cast<double>(arrays.size()) * sizeof(arrays[0])), ...);
   };
-  add(grid.particles, grid.half_edge, grid.held_by_set, grid.block_of_lattice, grid.node_of_lattice, grid.cell_keys);
+  for (const UpdatedField& field : grid.fields) add(field.held_by_set);
+  add(grid.particles, grid.half_edge, grid.block_field, grid.block_of_lattice, grid.node_of_lattice, grid.cell_keys);
   add(grid.key_blocks, grid.blocks, grid.counts, grid.block_begin, grid.tile_nodes, grid.momentum_tiles, grid.tiles);
   add(grid.cells, grid.cell_begin, grid.first_in_tile, grid.occupied, grid.occupied_before, grid.members, grid.xi);
   add(grid.affine, grid.filtered, grid.term, grid.kept);

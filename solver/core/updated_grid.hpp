@@ -31,9 +31,21 @@ struct UpdatedOutcome {
   std::int64_t bad_particle = -1;         ///< the first with J <= 0 or something not finite; -1 if all is well
 };
 
-/// The one grid of all updated-Lagrangian bodies: the domain's lattice. "Node" is a shape function, whether or not
+/// Bodies whose particles share nodes: one velocity, where they meet they stick.
+struct UpdatedField {
+  std::vector<std::int32_t> bodies;  ///< index into Model::bodies
+  std::size_t begin = 0, end = 0;    ///< range in UpdatedGrid::particles
+  std::uint32_t node_begin = 0, node_end = 0;
+  std::vector<std::uint8_t>
+      held_by_set;  ///< per node of the lattice, axes held by NodeSets; empty where there are none
+};
+
+/// The grid of all updated-Lagrangian bodies: the domain's lattice. "Node" is a shape function, whether or not
 /// it interpolates; a cell's window is the width^dimension functions that do not vanish on it, of index cell to
 /// cell + width - 1 on each axis (solver/shapes/shape.hpp).
+///
+/// All bodies are one field, or each is a field of its own (contact.method = "grid"): then a place of the lattice has
+/// a cell, a block and a node for each field that is there, and sweeps go over the blocks of all fields alike.
 ///
 /// Only cells that hold particles, and the nodes of their windows, are kept, found anew after each step. Cells stand
 /// in blocks of 64, 4 x 4 x 4 or 8 x 8 of the lattice; a block adds up what its particles give in a tile of its own,
@@ -52,10 +64,9 @@ struct UpdatedGrid {
   std::array<std::int32_t, 3> node_count{1, 1, 1};
   double light_mass = 0;  ///< kg; 1e-10 of a full cell of the densest particle
 
-  std::vector<std::uint32_t> particles;  ///< those of updated-Lagrangian bodies, ascending
-  std::vector<double> half_edge;         ///< per particle of the model, in cells; only where the shape has_size
-  std::vector<std::uint8_t>
-      held_by_set;  ///< per node of the lattice, axes held by NodeSets; empty where there are none
+  std::vector<std::uint32_t> particles;        ///< those of updated-Lagrangian bodies, ascending
+  std::vector<double> half_edge;               ///< per particle of the model, in cells; only where the shape has_size
+  std::vector<UpdatedField> fields;            ///< ascending in particles, blocks and nodes
   std::array<std::uint8_t, 6> held_by_face{};  ///< axes, bit 0 for x to bit 2 for z
   std::uint64_t placings = 0;                  ///< how often the occupied cells have changed
 
@@ -64,15 +75,16 @@ struct UpdatedGrid {
   int tile_edge = 5;                                 ///< functions of a tile per axis: block_edge + width - 1
   std::array<std::int32_t, 3> block_count{1, 1, 1};  ///< of the lattice, per axis
 
-  std::vector<std::uint32_t> block_of_lattice;  ///< per block of the lattice: index into blocks, or kNone
-  std::vector<std::uint32_t> node_of_lattice;   ///< per node of the lattice: index into nodes, or kNone
-  std::vector<std::uint32_t> cell_keys;  ///< per entry of `particles`: block of the lattice x 64 + cell in it, or kNone
-  std::vector<Vec3> xi;                  ///< per particle of the model: place in its cell
+  std::vector<std::uint32_t> block_of_lattice;  ///< per field and block of the lattice: index into blocks, or kNone
+  std::vector<std::uint32_t> node_of_lattice;  ///< per node of the lattice: index into the last field's nodes, or kNone
+  std::vector<std::uint32_t> cell_keys;        ///< per entry of `particles`: lattice_block x 64 + cell in it, or kNone
+  std::vector<Vec3> xi;                        ///< per particle of the model: place in its cell
   std::vector<KeyBlock> key_blocks;
 
   // Of occupied blocks:
   std::vector<std::array<std::int32_t, 3>> blocks;
-  std::vector<std::uint32_t> counts;       ///< per block and cell in it: particles, then where they begin
+  std::vector<std::uint32_t> block_field;  ///< per block: its field
+  std::vector<std::uint32_t> counts;       ///< per block and cell in it: where its members end; before, how many
   std::vector<std::uint32_t> block_begin;  ///< blocks + 1: range of a block in `cells`
   std::vector<std::uint32_t> tile_nodes;   ///< per block and function of its tile: index into nodes, or kNone
   std::vector<std::array<double, 4>>
@@ -116,15 +128,24 @@ struct UpdatedGrid {
   std::size_t tile() const {
     return static_cast<std::size_t>(tile_edge) * tile_edge * (dimension == 2 ? 1 : tile_edge);
   }
-  std::size_t lattice_block(const std::array<std::int32_t, 3>& b) const {
-    return (static_cast<std::size_t>(b[2]) * block_count[1] + b[1]) * block_count[0] + b[0];
+  std::size_t lattice_blocks() const {
+    return static_cast<std::size_t>(block_count[0]) * block_count[1] * block_count[2];
+  }
+  std::size_t lattice_block(std::size_t field, const std::array<std::int32_t, 3>& b) const {
+    return ((field * block_count[2] + b[2]) * block_count[1] + b[1]) * block_count[0] + b[0];
   }
   std::size_t lattice_node(const std::array<std::int32_t, 3>& n) const {
     return (static_cast<std::size_t>(n[2]) * node_count[1] + n[1]) * node_count[0] + n[0];
   }
 };
 
-/// The grid with its particles placed.
+inline std::size_t field_of_node(const UpdatedGrid& grid, std::uint32_t node) {
+  std::size_t f = 0;
+  while (node >= grid.fields[f].node_end) ++f;
+  return f;
+}
+
+/// The grid with its particles placed; a field for each body where Model::contact asks for it.
 /// @throws Error ("solve") where the domain is not made of whole cells or has too many, a particle lies outside it or
 ///         is too large for its shape function, or a NodeSet
 ///         belongs to a lattice other than the domain's.

@@ -73,12 +73,13 @@ struct PlaceSweep {
   const double* position;   ///< three per particle of the model, m
   const double* half_edge;  ///< per particle of the model, or none where particles have no size
   double* xi;               ///< three per particle of the model
-  std::uint32_t* keys;      ///< per entry of the list of particles: block of the lattice x 64 + cell in it
+  std::uint32_t* keys;      ///< per entry of the list of particles: block of field and lattice x 64 + cell in it
   double origin[3];
   double per_cell;
   double slack, inside;  ///< in cells: how far outside a centre may be; how far from its faces a place is kept
   std::int32_t cell_count[3];
   std::int32_t block_count[3];
+  double field;  ///< blocks of the lattice are counted field by field
 };
 
 struct PlaceResult {

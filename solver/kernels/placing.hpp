@@ -27,7 +27,7 @@ void place_particles(const PlaceSweep& sweep, const std::uint32_t* particles, st
   constexpr double edge = scarp::kernels::block_edge(D);
   for (std::size_t j = begin; j < end; j += kLanes) {
     const Lanes lanes(particles + j, static_cast<int>(end - j < kLanes ? end - j : kLanes));
-    Pack x[D], key{}, inside{};
+    Pack x[D], key = all(sweep.field), inside{};
     load_field<D>(sweep.position, 3, lanes, x);
     const Pack half = sweep.half_edge ? gather_lanes(sweep.half_edge, 1, lanes) : Pack{};
     const Pack slack = half + sweep.slack, beyond = half - sweep.inside;

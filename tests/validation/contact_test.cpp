@@ -10,6 +10,7 @@
 #include "tests/support/lattice_seed.hpp"
 #include "tests/support/recording_sink.hpp"
 #include "tests/support/run_options.hpp"
+#include "tests/support/two_disks.hpp"
 #include "tests/support/validation_table.hpp"
 
 namespace scarp {
@@ -17,52 +18,16 @@ namespace {
 
 using std::numbers::pi;
 using test::output;
+using test::Rebound;
 using test::RecordingSink;
 using test::solver;
 using test::validate_near;
 using test::validate_within;
 
-struct Rebound {
-  RunReport report;
-  double least = 1, time_of_least = 0, most_stored = 0, parted = 0, after = 0, drift = 0;
-};
-
-/// Sulsky's disks, E = 1000, nu = 0.3, rho = 1000, v = 0.1, on grids of their own of n x n cells.
 Rebound rebound(int n, double courant) {
-  Model model = test::empty_model({0, 0, 0}, {1, 1, 0}, 1.0 / n);
-  const auto add = [&](const char* name, double centre, double v) {
-    test::seed_body(
-        model, name, NeoHookean{{1000, 1000, 0.3}}, 2,
-        [=](const Vec3& X) { return std::hypot(X[0] - centre, X[1] - centre) < 0.2; },
-        [=](const Vec3&) {
-          return Vec3{v, v, 0};
-        });
-    model.bodies.back().boundary = prism_mesh(circle_outline({centre, centre}, 0.2, 1e-5), 1.0 / n);
-  };
-  add("left", 0.2, 0.1);
-  add("right", 0.8, -0.1);
+  Model model = test::two_disks(n, Formulation::total_lagrangian);
   model.contact.method = ContactMethod::penalty;
-  RecordingSink sink;
-  Rebound r;
-  r.report = run(model, solver(3.5, {0, 0, 0}, courant), output(0.5, 0.005), sink, 1);
-  const double start = r.report.first.kinetic, momentum = start / 0.1;
-  double impulse = 0, passed = 0, count = 0;
-  for (const HistorySample& s : sink.samples) impulse += norm(s.contact_force[0]);
-  for (const HistorySample& s : sink.samples) {
-    if (s.kinetic / start < r.least) {
-      r.least = s.kinetic / start;
-      r.time_of_least = s.time;
-    }
-    r.most_stored = std::max(r.most_stored, (s.strain + s.contact) / start);
-    if (passed < 0.995 * impulse) r.parted = s.time - 0.0025;  // a mean over 5 ms
-    passed += norm(s.contact_force[0]);
-    r.drift = std::max(r.drift, norm(s.momentum) / momentum);
-    if (s.time < 2.6) continue;
-    r.after += s.kinetic / start;
-    ++count;
-  }
-  r.after /= count;
-  return r;
+  return test::rebound(std::move(model), solver(3.5, {0, 0, 0}, courant));
 }
 
 TEST(ContactDisks, ReboundWithinThePublishedBands) {
