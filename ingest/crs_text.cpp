@@ -216,10 +216,4 @@ CrsFacts read_crs(const std::string& text) {
   return facts;
 }
 
-bool same_crs(const std::string& a, const std::string& b) {
-  if (without_blanks(a) == without_blanks(b)) return true;
-  const int code = read_crs(a).epsg;
-  return code > 0 && code == read_crs(b).epsg;
-}
-
 }  // namespace scarp

@@ -21,7 +21,4 @@ struct CrsFacts {
 /// knows nothing: kind unknown, all zero.
 CrsFacts read_crs(const std::string& text);
 
-/// Whether two texts name one system: the same but for blanks, or the same EPSG code.
-bool same_crs(const std::string& a, const std::string& b);
-
 }  // namespace scarp

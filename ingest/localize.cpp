@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ingest/crs_text.hpp"
+#include "ingest/same_crs.hpp"
 #include "solver/model/error.hpp"
 
 namespace scarp {

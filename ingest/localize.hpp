@@ -44,7 +44,8 @@ void heights_to_metres(PointCloud& cloud, HeightUnit unit, const std::string& so
 /// @throws Error naming `file`.
 void require_projected_metres(const PointCloud& cloud, const std::string& file);
 
-/// Refuses two different coordinate reference systems; empty ones go with any. `names` and `crs` in the same order.
+/// Refuses two different coordinate reference systems (same_crs); empty ones go with any. `names` and `crs` in the same
+/// order.
 /// @throws Error naming the two inputs that disagree.
 void require_same_crs(const std::vector<std::string>& names, const std::vector<std::string>& crs);
 

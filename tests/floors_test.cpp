@@ -37,6 +37,7 @@ const std::vector<std::pair<std::string, std::set<std::string>>> kOwners{
     {"pcl/", {"ingest"}},
     {"gdal", {"ingest"}},
     {"cpl_", {"ingest"}},
+    {"ogr_", {"ingest"}},
     {"CGAL/", {"discretize"}},
     {"opencv2/", {"tools/render"}},
     {"hdf5", {"solver/store"}},

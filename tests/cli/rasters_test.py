@@ -92,6 +92,20 @@ class Rasters(unittest.TestCase):
         self.assertEqual(rows[0], "s,x,y,simulated,observed,difference")
         self.assertEqual(len(rows), 1192)
 
+    @unittest.skipUnless(BRAGG.is_dir(), f"no real data in {BRAGG}")
+    def test_a_prj_and_a_geotiff_of_one_system(self):
+        # The same heights twice: ESRI's text beside the grid and the GeoTIFF's name one system.
+        same = self.compare(BRAGG / "elevation_2004.asc", BRAGG / "elevation_2004.tif", "--method", "dod")
+        self.assertLess(abs(same["difference"]["largest_m"]), 1e-5)
+        self.assertEqual(same["names_of_sides"], {"simulated": "elevation_2004.asc", "observed": "elevation_2004.tif"})
+        other = self.out / "other.asc"
+        other.write_text((BRAGG / "elevation_2004.asc").read_text())
+        text = (BRAGG / "elevation_2004.prj").read_text()
+        other.with_suffix(".prj").write_text(text.replace('"Central_Meridian",-79.0', '"Central_Meridian",-78.0'))
+        run = Run("compare", other, BRAGG / "elevation_2004.tif", "--method", "dod", "-o", self.out / "x")
+        self.assertEqual(run.code, 2, run)
+        self.assertIn("another coordinate reference system", run.err)
+
     @unittest.skipUnless(COULOMB.is_dir(), f"no real data in {COULOMB}")
     def test_run_out_of_two_codes(self):
         # Areas and fronts above 0.1 m: references/isee_coulomb_13codes_summary.csv.

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "ingest/crs_text.hpp"
+#include "ingest/same_crs.hpp"
 #include "solver/model/error.hpp"
 
 namespace scarp {
@@ -172,6 +173,47 @@ TEST(SameCrs, EmptyGoesWithAnything) {
   EXPECT_NO_THROW(require_same_crs({"a", "b"}, {kUtm32, compound(kUtm32, R"(UNIT["ft",0.3048])")}))
       << "heights are made metres";
   EXPECT_NO_THROW(require_same_crs({"a", "b"}, {kUtm32, " " + kUtm32 + "\n"}));
+}
+
+/// One system as ESRI's .prj, GeoTIFF and LAS files state it.
+const std::string kCarolinaEsri =
+    R"wkt(PROJCS["NAD_1983_HARN_StatePlane_North_Carolina_FIPS_3200",GEOGCS["GCS_North_American_1983_HARN",)wkt"
+    R"wkt(DATUM["D_North_American_1983_HARN",SPHEROID["GRS_1980",6378137.0,298.257222101]],PRIMEM["Greenwich",0.0],)wkt"
+    R"wkt(UNIT["Degree",0.0174532925199433]],PROJECTION["Lambert_Conformal_Conic"],)wkt"
+    R"wkt(PARAMETER["False_Easting",609601.22],PARAMETER["False_Northing",0.0],PARAMETER["Central_Meridian",-79.0],)wkt"
+    R"wkt(PARAMETER["Standard_Parallel_1",36.1666666666667],PARAMETER["Standard_Parallel_2",34.3333333333333],)wkt"
+    R"wkt(PARAMETER["Latitude_Of_Origin",33.75],UNIT["Meter",1.0]])wkt";
+
+TEST(SameCrs, DialectsOfOneSystemAreTheSame) {
+  for (const std::string& text : {std::string("EPSG:3358"), std::string("urn:ogc:def:crs:EPSG::3358"),
+                                  compound(kCarolinaEsri, R"(UNIT["metre",1])"), std::string("EPSG:3358+5703")}) {
+    EXPECT_TRUE(same_crs(kCarolinaEsri, text)) << text;
+    EXPECT_TRUE(same_crs(text, kCarolinaEsri)) << text;
+  }
+  EXPECT_TRUE(same_crs("EPSG:31256",
+                       R"wkt(PROJCS["MGI_Austria_GK_East",GEOGCS["GCS_MGI",DATUM["D_MGI",)wkt"
+                       R"wkt(SPHEROID["Bessel_1841",6377397.155,299.1528128]],PRIMEM["Greenwich",0.0],)wkt"
+                       R"wkt(UNIT["Degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],)wkt"
+                       R"wkt(PARAMETER["False_Easting",0.0],PARAMETER["False_Northing",-5000000.0],)wkt"
+                       R"wkt(PARAMETER["Central_Meridian",16.3333333333333],PARAMETER["Scale_Factor",1.0],)wkt"
+                       R"wkt(PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]])wkt"))
+      << "the register has its northing first, files do not";
+}
+
+TEST(SameCrs, SystemsThatDifferInOneThingAreNot) {
+  const auto with = [](const std::string& from, const std::string& to) {
+    std::string text = kCarolinaEsri;
+    return text.replace(text.find(from), from.size(), to);
+  };
+  for (const std::string& other :
+       {std::string("EPSG:32119"), with("609601.22", "609601.00"), with("-79.0", "-78.0"),
+        with("36.1666666666667", "36.2"), with("D_North_American_1983_HARN", "D_North_American_1983"),
+        with("UNIT[\"Meter\",1.0]", "UNIT[\"Foot_US\",0.3048006096012192]")})
+    EXPECT_FALSE(same_crs(kCarolinaEsri, other)) << other;
+  EXPECT_TRUE(same_crs(kCarolinaEsri, with("_HARN", ""))) << "the projection's name says nothing";
+  EXPECT_FALSE(same_crs("EPSG:25832", "EPSG:32632")) << "two datums";
+  EXPECT_FALSE(same_crs("EPSG:3358+5703", "EPSG:3358+6360")) << "NAVD88 in metres and in feet";
+  EXPECT_FALSE(same_crs("EPSG:3358", "no system at all"));
 }
 
 TEST(SameCrs, NamesTheTwoThatDisagree) {
