@@ -3,7 +3,6 @@
 #include "tools/compare/surface_column.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 #include "solver/materials/tensor.hpp"
@@ -76,19 +75,39 @@ double kernel(double squared) {
   return 7 / (std::numbers::pi * kSurfaceReach * kSurfaceReach) * r * r * r * r * (4 * q + 1);
 }
 
+/// Rises from 0 a spacing below the foot of the column to 1 a spacing above it, twice continuously differentiable.
+double above_foot(double z) {
+  const double t = std::clamp(0.5 * (z + kDepth + 1), 0.0, 1.0);
+  return t * t * t * (10 + t * (6 * t - 15));
+}
+
+/// The quadratic B-spline.
+double spline(double z) {
+  const double q = std::abs(z);
+  return q < 0.5 ? 0.75 - q * q : q < 1.5 ? 0.5 * (1.5 - q) * (1.5 - q) : 0;
+}
+
+/// A hat: layers a spacing apart add up to 1, a single one counts in full.
+double hat(double z) { return std::max(0.0, 1 - std::abs(z)); }
+
 /// What stands in a column, by depth.
 struct Filling {
-  double thickness = 0;                  ///< T
-  double moment = 0;                     ///< of T about the particle
-  std::array<double, 3> layer{0, 0, 0};  ///< coverage 0, 1 and 2 spacings below the particle
+  double thickness = 0;         ///< T
+  double near = 0, moment = 0;  ///< of what is no deeper than the column, and its moment about the particle
+  double own = 0;               ///< coverage at the particle's depth
+  double next = 0, smooth = 0;  ///< and a spacing deeper, by hat and spline
+  double deep = 0;              ///< and at the foot
 
   void add(double volume_over_area, double z) {
-    const double high = z + 0.5, low = std::max(z - 0.5, -kDepth);
-    if (high > low) {
-      thickness += volume_over_area * (high - low);
-      moment += volume_over_area * (high - low) * 0.5 * (high + low);
+    thickness += volume_over_area * above_foot(z);
+    if (z > -kDepth - 0.5) {
+      near += volume_over_area;
+      moment += volume_over_area * z;
     }
-    for (int k = 0; k < 3; ++k) layer[k] += volume_over_area * std::max(0.0, 1 - std::abs(z + k));
+    own += volume_over_area * hat(z);
+    next += volume_over_area * hat(z + 1);
+    smooth += volume_over_area * spline(z + 1);
+    deep += volume_over_area * spline(z + kDepth);
   }
 };
 
@@ -112,12 +131,11 @@ std::optional<SurfacePiece> SurfaceColumns::at(std::size_t point, const Vec3& no
               });
   SurfacePiece piece;
   piece.normal = normal;
-  piece.coverage = std::max(filling.layer[0], filling.layer[1]);
+  piece.coverage = std::max({filling.own, filling.next, filling.smooth});
   if (piece.coverage < kAlone) return std::nullopt;
   const double share = piece.coverage < kEdge ? piece.coverage : 1;
-  const double thickness = filling.thickness / share;
-  const bool thin = filling.layer[2] < kThin * share;
-  piece.height = thin ? filling.moment / filling.thickness + 0.5 * thickness : thickness - kDepth;
+  const bool thin = filling.deep < kThin * share;
+  piece.height = thin ? filling.moment / filling.near + 0.5 * filling.near / share : filling.thickness / share - kDepth;
   piece.position = centre + lattice.in_space(axis.foot + piece.height * axis.N);
   return piece;
 }

@@ -24,15 +24,18 @@ struct SurfacePiece {
 ///
 /// Around the particle, neighbours are taken back by its deformation gradient, where the frame has it, onto the regular
 /// lattice that they were made on (lengths in spacings); without it, or once it is bent beyond all lattices (condition
-/// above 6), lengths are only divided by the spacing. Each neighbour is a slab one spacing thick of its own volume,
-/// spread across the column by a smooth kernel w (Wendland's C2 in the plane, support 3 spacings, unit integral). What
-/// they fill above a level 2 spacings below the particle,
-///   T = sum over neighbours of V w(distance from the axis) (share above the level),
-/// is the mean height of the surface above that level, with no bias by the lattice: volume is conserved. The axis
-/// stands up to half a spacing beside the particle, so that the axes of all particles fill the surface evenly: were
-/// they to stand on lattice points, they would see the material that they stand on too often. Beside an edge
-/// of the body the kernel is partly empty; T is then divided by the share that is filled one layer below. In layers
-/// thinner than the column the surface is half a thickness above the middle of the material.
+/// above 6), lengths are only divided by the spacing. The volume of each neighbour is spread across the column by a
+/// smooth kernel w (Wendland's C2 in the plane, support 3 spacings, unit integral). What they fill above the foot of
+/// the column, 2 spacings below the particle,
+///   T = sum over neighbours of V w(distance from the axis) s(height above the foot),
+/// is the mean height of the surface above that level, with no bias by the lattice: volume is conserved. The step s is
+/// as smooth and 2 spacings wide. A sharp one would always cut the lattice at the same place between two of its layers,
+/// since the foot goes with the particle: where layers are 1 / sqrt(2) apart, as across a diagonal, it would take half
+/// a layer too much or too little everywhere. Of the smooth one a sum over layers up to a spacing apart is the integral
+/// to 0.002. The axis stands up to half a spacing beside the particle, so that the axes of all particles fill the
+/// surface evenly: were they to stand on lattice points, they would see the material that they stand on too often.
+/// Beside an edge of the body the kernel is partly empty; T is then divided by the share that is filled one layer
+/// below. In layers thinner than the column the surface is half a thickness above the middle of the material.
 class SurfaceColumns {
  public:
   /// Both must outlive the columns; the tree holds points.positions.
