@@ -14,13 +14,8 @@
 
 namespace scarp {
 
-/// Which frame is held against the scan.
-enum class SimulatedFrame { last, first };
-template <>
-struct enum_names<SimulatedFrame> {
-  static constexpr std::array<std::pair<std::string_view, SimulatedFrame>, 2> value{
-      {{"last", SimulatedFrame::last}, {"first", SimulatedFrame::first}}};
-};
+/// Names in CompareOptions::simulated that mean a frame of the run; any other is a scan.
+inline constexpr std::string_view kLastFrame = "last", kFirstFrame = "first";
 
 /// How two surfaces are held against each other.
 enum class CompareMethod { c2c, m3c2, c2m, dod, footprint };
@@ -71,7 +66,7 @@ struct CompareTolerance {
 
 struct CompareOptions {
   std::string name;
-  SimulatedFrame simulated = SimulatedFrame::last;
+  std::string simulated{kLastFrame};
   std::string observed;
   CompareMethod method = CompareMethod::c2c;
   CompareConvention convention = CompareConvention::scarp;
@@ -87,10 +82,15 @@ struct CompareOptions {
   bool pictures = true;
   CompareTolerance tolerance;
 
+  bool of_frame() const { return simulated == kLastFrame || simulated == kFirstFrame; }
+
   template <class V>
   void describe(V&& v) {
     v("name", name, Spec{.text = "stem of the result files; default: SIMULATED_OBSERVED"});
-    v("simulated", simulated, Spec{.text = "frame that is held against the scan"});
+    v("simulated", simulated,
+      Spec{.text =
+               "what is held against the scan: the \"last\" or \"first\" frame, or, to compare two surveys, the name "
+               "of another scan"});
     v("observed", observed, Spec{.text = "name of a scan", .required = true});
     v("method", method,
       Spec{.text =
@@ -99,7 +99,9 @@ struct CompareOptions {
                "two rasters of thickness (two files only)"});
     v("convention", convention, Spec{.text = "whose rules decide where programs differ"});
     v("max_distance", max_distance,
-      Spec{.text = "beyond it a point has no counterpart (NaN); 0 means ten cells", .unit = "m", .at_least = 0});
+      Spec{.text = "beyond it a point has no counterpart (NaN); 0 means ten cells of the domain",
+           .unit = "m",
+           .at_least = 0});
     v("registration_error", registration_error,
       Spec{.text = "standard deviation of a shift between the two sides that all points share; in practice that of "
                    "distances on stable ground",

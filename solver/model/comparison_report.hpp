@@ -46,10 +46,16 @@ struct DistanceReport {
   double largest = 0;        ///< of |d|
 };
 
+/// What the two sides are called where a person reads: two surveys are neither simulated nor observed.
+struct SideNames {
+  std::string simulated = "simulated", observed = "observed";
+};
+
 struct ComparisonReport {
   std::string name;
-  std::string method;                       ///< "c2c", "m3c2", ...
-  std::string convention;                   ///< whose rules, where programs differ
+  std::string method;      ///< "c2c", "m3c2", ...
+  std::string convention;  ///< whose rules, where programs differ
+  SideNames sides;
   std::optional<DistanceReport> distances;  ///< of methods that measure per point
   std::vector<MeasureGroup> groups;         ///< everything else
   std::vector<std::string> warnings;        ///< whole sentences

@@ -4,6 +4,7 @@
 // THE schema: everything that a scenario file can say. Positions and elevations are the site's coordinates.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -76,23 +77,30 @@ struct Scenario {
   std::vector<RenderOptions> render;
   std::vector<CompareOptions> compare;
 
+  /// Nothing is simulated: two scans are held against each other, which takes neither domain, materials, bodies nor
+  /// solver.
+  bool only_surveys() const {
+    return bodies.empty() && !compare.empty() &&
+           std::none_of(compare.begin(), compare.end(), [](const CompareOptions& c) { return c.of_frame(); });
+  }
+
   template <class V>
   void describe(V&& v) {
     v("title", title, Spec{.text = "one line that names the run in pictures and reports", .required = true});
     v("scans", scans, Spec{.text = "what was observed"});
-    v("domain", domain, Spec{.text = "the box, its grid and its faces", .required = true});
-    v("materials", materials, Spec{.text = "laws and their parameters, by name", .required = true});
-    v("bodies", bodies, Spec{.text = "what is simulated", .required = true});
+    v("domain", domain, Spec{.text = "the box, its grid and its faces"});
+    v("materials", materials, Spec{.text = "laws and their parameters, by name"});
+    v("bodies", bodies, Spec{.text = "what is simulated"});
     v("contact", contact, Spec{.text = "how bodies meet"});
     v("water_table", water_table,
       Spec{.text = "pore pressure as a given field: hydrostatic below this level; stresses are effective ones then"});
     v("loads", loads, Spec{.text = "what acts on the bodies in time, beside gravity"});
     v("shaking", shaking, Spec{.text = "records of acceleration that shake the base"});
-    v("solver", solver, Spec{.text = "method and time", .required = true});
+    v("solver", solver, Spec{.text = "method and time"});
     v("output", output, Spec{.text = "what is kept of the run"});
     v("probes", probes, Spec{.text = "what is watched while the run goes"});
     v("render", render, Spec{.text = "pictures"});
-    v("compare", compare, Spec{.text = "simulated clouds held against observed ones"});
+    v("compare", compare, Spec{.text = "simulated surfaces held against observed ones, or two surveys"});
   }
 };
 

@@ -5,14 +5,28 @@ import csv
 import json
 import math
 import struct
+import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from support import DATA, Run
+from support import BLOCK, DATA, SCARP, Run
 
 BMX = DATA / "multi_epoch" / "bmx"
+
+
+def without_fonts(command):
+    """The command in a namespace of its own, where the fonts' folder is empty."""
+    return ["unshare", "--mount", "sh", "-c", 'mount -t tmpfs none /usr/share/fonts/truetype/dejavu && exec "$@"', "sh",
+            *map(str, command)]
+
+
+def can_hide_fonts():
+    try:
+        return subprocess.run(without_fonts(["true"]), capture_output=True).returncode == 0
+    except OSError:
+        return False
 
 
 def las_points(file):
@@ -124,6 +138,73 @@ class Compare(unittest.TestCase):
         _, report, _ = self.compare(below, mesh, "--method", "c2m", "--max-distance", "2")
         self.assertEqual(report["distances"]["mean_m"], -1, "below the side of the normals")
         self.assertEqual(report["mesh"]["border_edges"], 4)
+
+    def test_two_surveys_are_compared_by_a_scenario_without_bodies(self):
+        self.write_cloud("a.csv", self.bumpy())
+        self.write_cloud("b.csv", self.bumpy(0.5))
+        scenario = self.folder / "surveys.toml"
+        text = """title = "Two surveys"
+[[scans]]
+name = "2004"
+file = "a.csv"
+[[scans]]
+name = "2012"
+file = "b.csv"
+[[compare]]
+simulated = "2004"
+observed = "2012"
+max_distance = 2
+[[compare]]
+simulated = "2004"
+observed = "2012"
+method = "dod"
+dod = { cell = 1 }
+tolerance = { net_volume = 1 }
+"""
+        scenario.write_text(text)
+        out = self.folder / "out"
+        facts = Run("check", scenario)
+        self.assertEqual(facts.code, 0, facts)
+        self.assertIn("scan 2012: 1600 points read", facts.out)
+        for given in (scenario, out / "scenario.toml"):  # what is resolved can be read again
+            done = Run("run", given, "-o", out)
+            self.assertEqual(done.code, 4, done)
+            self.assertIn("2004_2012_dod: net volume, m3, is 50", done.err)
+            self.assertIn("warning: No uncertainty of the heights is known", done.err)
+        report = json.loads((out / "compare/2004_2012_dod.json").read_text())
+        self.assertEqual(report["names_of_sides"], {"simulated": "2004", "observed": "2012"})
+        self.assertAlmostEqual(report["difference"]["median_m"], 0.5, delta=1e-4, msg="LAS files hold tenths of mm")
+        self.assertEqual(json.loads((out / "compare/2004_2012.json").read_text())["distances"]["matched"], 1600)
+        self.assertFalse((out / "model.hdf").exists())
+        for change, complaint in ((text.replace("max_distance = 2", ""), "needs the key \"max_distance\""),
+                                  (text.replace('simulated = "2004"', 'simulated = "2008"', 1), "nor a frame"),
+                                  (text.replace('simulated = "2004"', "", 1), "lacks the required key \"domain\""),
+                                  (text + "[[render]]\n", "has no bodies")):
+            scenario.write_text(change)
+            done = Run("check", scenario)
+            self.assertEqual(done.code, 2, done)
+            self.assertIn(complaint, done.err)
+        done = Run("discretize", out / "scenario.toml", "-o", out)
+        self.assertEqual(done.code, 2, done)
+        self.assertIn("no bodies to discretize", done.err)
+
+    @unittest.skipUnless(can_hide_fonts(), "needs the right to hide a folder from a process")
+    def test_numbers_come_without_fonts(self):
+        files = self.write_cloud("a.csv", self.bumpy()), self.write_cloud("b.csv", self.bumpy(0.5))
+        command = [SCARP, "compare", *files, "--max-distance", "2", "-o", self.folder, "--name", "n"]
+        done = subprocess.run(without_fonts(command), capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("warning: No pictures were drawn: the font", done.stderr)
+        report = json.loads((self.folder / "n.json").read_text())
+        self.assertIn("fonts-dejavu-core", report["warnings"][0])
+        self.assertFalse((self.folder / "n_difference.png").exists())
+        scenario = self.folder / "block.toml"
+        scenario.write_text(BLOCK)
+        done = subprocess.run(without_fonts([SCARP, "run", scenario, "-o", self.folder / "out"]), capture_output=True,
+                              text=True)
+        self.assertEqual(done.returncode, 2, done)
+        self.assertIn("install the package fonts-dejavu-core", done.stderr)
+        self.assertFalse((self.folder / "out").exists(), "said before the work, not after it")
 
     def test_tolerance_and_wrong_requests(self):
         a, b = self.write_cloud("a.csv", self.bumpy()), self.write_cloud("b.csv", self.bumpy(0.5))

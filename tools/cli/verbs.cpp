@@ -157,6 +157,7 @@ ExitCode compare_two(const CompareArguments& arguments, const CommonOptions& opt
                 "above 0 m");
   Outcome outcome;
   const ComparisonReport report = compare_files(request, options.threads, outcome);
+  for (const std::string& warning : report.warnings) std::fprintf(stderr, "scarp: warning: %s\n", warning.c_str());
   if (!options.quiet) std::printf("%s\n", in_one_line(report).c_str());
   return conclude(outcome);
 }

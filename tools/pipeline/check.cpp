@@ -27,6 +27,19 @@ void describe_body(const VolumeReport& report, std::vector<std::string>& facts) 
   for (const std::string& warning : warnings(report)) facts.push_back("  " + warning);
 }
 
+void describe_run(const Project& project, Model model, std::vector<std::string>& facts) {
+  add_run_inputs(project, model);
+  for (const std::string& sentence : describe_shaking(project, model)) facts.push_back(sentence);
+  for (const VolumeReport& report : model.volumes) describe_body(report, facts);
+  const RunEstimate estimated = estimate(model, project.scenario.solver, project.scenario.output);
+  facts.push_back(format("domain: %.6g x %.6g x %.6g m, cell %.6g m", model.domain.max[0] - model.domain.min[0],
+                         model.domain.max[1] - model.domain.min[1], model.domain.max[2] - model.domain.min[2],
+                         model.domain.cell));
+  facts.push_back(format("time step: about %.4g s, %.12g steps to %.6g s, %.3g particle-steps", estimated.time_step,
+                         estimated.steps, project.scenario.solver.end_time, estimated.particle_steps));
+  facts.push_back(format("memory: about %.0f MiB while solving", estimated.memory_bytes / (1024.0 * 1024.0)));
+}
+
 }  // namespace
 
 std::vector<std::string> check_project(Project& project) {
@@ -40,18 +53,8 @@ std::vector<std::string> check_project(Project& project) {
     if (std::find(needed.begin(), needed.end(), scan.name) != needed.end())
       scans.emplace(scan.name, std::move(result.cloud));
   });
-  Model model = build_model(project, scans, site);
-  add_run_inputs(project, model);
-  for (const std::string& sentence : describe_shaking(project, model)) facts.push_back(sentence);
-  for (const VolumeReport& report : model.volumes) describe_body(report, facts);
-  const RunEstimate estimated = estimate(model, project.scenario.solver, project.scenario.output);
   facts.push_back(format("origin: %.0f %.0f %.0f", site.origin[0], site.origin[1], site.origin[2]));
-  facts.push_back(format("domain: %.6g x %.6g x %.6g m, cell %.6g m", model.domain.max[0] - model.domain.min[0],
-                         model.domain.max[1] - model.domain.min[1], model.domain.max[2] - model.domain.min[2],
-                         model.domain.cell));
-  facts.push_back(format("time step: about %.4g s, %.12g steps to %.6g s, %.3g particle-steps", estimated.time_step,
-                         estimated.steps, project.scenario.solver.end_time, estimated.particle_steps));
-  facts.push_back(format("memory: about %.0f MiB while solving", estimated.memory_bytes / (1024.0 * 1024.0)));
+  if (!project.scenario.only_surveys()) describe_run(project, build_model(project, scans, site), facts);
   project.reporter->end();
   return facts;
 }

@@ -44,6 +44,7 @@ MeasureGroup as_group(const DistanceReport& report) {
 
 Json to_json(const ComparisonReport& report) {
   Json json{{"name", report.name}, {"method", report.method}, {"convention", report.convention}};
+  json["names_of_sides"] = {{"simulated", report.sides.simulated}, {"observed", report.sides.observed}};
   if (report.distances) json["distances"] = to_json(as_group(*report.distances));
   for (const MeasureGroup& group : report.groups) json[group.name] = to_json(group);
   json["warnings"] = report.warnings;

@@ -97,20 +97,22 @@ void add_points(const Comparison& result, const std::string& title, Album& album
 std::vector<std::filesystem::path> write_pictures(const std::filesystem::path& stem, const Comparison& result,
                                                   const Heightfield* ground, const Section* section) {
   Album album(stem);
-  const std::string title = result.report.name + ": observed against simulated (" + result.report.method + ")";
+  const SideNames& sides = result.report.sides;
+  const std::string title =
+      result.report.name + ": " + sides.observed + " against " + sides.simulated + " (" + result.report.method + ")";
+  const std::string label = sides.observed + " − " + sides.simulated;
   if (!result.cloud.empty()) add_points(result, title, album);
   const Heightfield* difference = find_raster(result, "difference");
   const Heightfield* level = find_raster(result, "level_of_detection");
   if (difference) {
-    album.add("difference", draw_difference_map(
-                                {difference, level, ground, title, "observed − simulated", remarks_of(result.report)}));
-    album.add("histogram",
-              draw_histogram({difference->z, level ? mean_of(level->z) : 0, title, "observed − simulated", ""}));
+    album.add("difference", draw_difference_map({difference, level, ground, title, label, remarks_of(result.report)}));
+    album.add("histogram", draw_histogram({difference->z, level ? mean_of(level->z) : 0, title, label, ""}));
   }
   if (const Heightfield* cells = find_raster(result, "footprint"))
-    album.add("footprint", draw_footprint_map({cells, ground, title, remarks_of(result.report)}));
+    album.add("footprint",
+              draw_footprint_map({cells, ground, title, remarks_of(result.report), sides.simulated, sides.observed}));
   if (section) {
-    SectionChart chart{section->s, section->simulated, section->observed, title};
+    SectionChart chart{section->s, section->simulated, section->observed, title, sides.simulated, sides.observed};
     for (std::vector<double>* z : {&chart.simulated, &chart.observed})
       for (double& v : *z) v += section->site.origin[2];
     album.add("section", draw_section(chart));

@@ -7,6 +7,7 @@
 #include "tools/pipeline/read_inputs.hpp"
 #include "tools/pipeline/refuse_to_overwrite.hpp"
 #include "tools/pipeline/write_run.hpp"
+#include "tools/render/canvas.hpp"
 #include "tools/scenario/read_scenario.hpp"
 #include "tools/scenario/resolve.hpp"
 #include "tools/scenario/write_scenario.hpp"
@@ -43,12 +44,15 @@ void record_scenario(const Project& project) {
 
 Outcome run_project(Project& project) {
   Outcome outcome;
+  if (!project.scenario.render.empty()) require_fonts();  // not after hours of solving
   record_scenario(project);
   clear_earlier_results(project.artefacts);
   ingest_stage(project);
-  discretize_stage(project);
-  solve_stage(project, outcome);
-  render_stage(project);
+  if (!project.scenario.only_surveys()) {
+    discretize_stage(project);
+    solve_stage(project, outcome);
+    render_stage(project);
+  }
   if (!outcome.simulation_failed) compare_stage(project, outcome);
   return outcome;
 }

@@ -17,13 +17,16 @@
 #include "tools/compare/tolerance.hpp"
 #include "tools/pipeline/compared_cloud.hpp"
 #include "tools/pipeline/comparison_pictures.hpp"
+#include "tools/pipeline/info.hpp"
 #include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_artefacts.hpp"
+#include "tools/pipeline/read_inputs.hpp"
 #include "tools/pipeline/refuse_to_overwrite.hpp"
 #include "tools/pipeline/stopwatch.hpp"
 #include "tools/pipeline/summary.hpp"
 #include "tools/pipeline/surface_pair.hpp"
+#include "tools/render/canvas.hpp"
 
 namespace scarp {
 namespace {
@@ -39,9 +42,33 @@ void write_numbers(const std::filesystem::path& stem, const Comparison& result) 
   write_las(stem.string() + ".las", result.cloud);
 }
 
-void write_comparison(const std::filesystem::path& stem, const Comparison& result, const CompareOptions& options) {
+/// Numbers must not be lost to what pictures need: without fonts they come alone, and the report says so.
+bool can_draw(const CompareOptions& options, ComparisonReport& report) {
+  if (!options.pictures) return false;
+  const std::string font = missing_font();
+  if (!font.empty())
+    report.warnings.push_back("No pictures were drawn: the font " + font +
+                              " is not installed (package fonts-dejavu-core).");
+  return font.empty();
+}
+
+void write_comparison(const std::filesystem::path& stem, Comparison& result, const CompareOptions& options) {
+  const bool draw = can_draw(options, result.report);
   write_numbers(stem, result);
-  if (options.pictures) write_pictures(stem, result, nullptr, nullptr);
+  if (draw) write_pictures(stem, result, nullptr, nullptr);
+}
+
+/// A frame is a simulation held against an observation; files are two surveys, or fields of which nobody knows, and go
+/// by their names.
+SideNames names_of_sides(const std::filesystem::path& simulated, const std::filesystem::path& observed) {
+  if (simulated.extension() == ".hdf") return {};
+  if (simulated.stem() != observed.stem()) return {simulated.stem(), observed.stem()};
+  if (simulated.filename() != observed.filename()) return {simulated.filename(), observed.filename()};
+  return {"first", "second"};
+}
+
+SideNames names_of_sides(const CompareOptions& options) {
+  return options.of_frame() ? SideNames{} : SideNames{options.simulated, options.observed};
 }
 
 /// Both sides, the mask of stable ground and the ground before on the same cells.
@@ -55,11 +82,11 @@ SurfaceComparison on_same_cells(SurfaceSources sources, CompareOptions options, 
   return options.method == CompareMethod::dod ? compare_surfaces(pair, options) : compare_thickness(pair, options);
 }
 
-void write_comparison(const std::filesystem::path& stem, const SurfaceComparison& result,
-                      const CompareOptions& options) {
+void write_comparison(const std::filesystem::path& stem, SurfaceComparison& result, const CompareOptions& options) {
+  const bool draw = can_draw(options, result.comparison.report);
   write_numbers(stem, result.comparison);
   if (result.section) write_whole(stem.string() + "_section.csv", section_csv(*result.section));
-  if (options.pictures)
+  if (draw)
     write_pictures(stem, result.comparison, result.ground ? &*result.ground : nullptr,
                    result.section ? &*result.section : nullptr);
 }
@@ -111,7 +138,8 @@ TriangleMesh read_metric_mesh(const DirectComparison& request) {
   return mesh;
 }
 
-ComparisonReport finish(const Comparison& result, const DirectComparison& request, Outcome& outcome) {
+ComparisonReport finish(Comparison result, const DirectComparison& request, Outcome& outcome) {
+  result.report.sides = names_of_sides(request.simulated, request.observed);
   write_comparison(request.output / request.options.name, result, request.options);
   within_tolerance(result.report, request.options.tolerance, &outcome.exceeded);
   return result.report;
@@ -129,23 +157,47 @@ std::string distance_phrase(const DistanceReport& report) {
   return text;
 }
 
-ComparisonReport compare_as_clouds(const Project& project, const CompareOptions& options, const Frame& frame,
-                                   const SiteFrame& site) {
-  const Comparison result = compare_clouds(compared(frame, project.threads),
-                                           {read_cleaned_scan(project, options.observed, site), "scan, cleaned", 0, {}},
-                                           options, HeightUnit::metre, project.threads);
+/// The frame that a comparison names.
+Frame frame_of(const Project& project, const CompareOptions& options) {
+  const auto frames = read_frame_list(project);
+  return read_frame((options.simulated == kLastFrame ? frames.back() : frames.front()).first);
+}
+
+ComparedCloud cleaned(const Project& project, const std::string& scan, const SiteFrame& site) {
+  return {read_cleaned_scan(project, scan, site), "scan, cleaned", 0, {}};
+}
+
+ComparisonReport compare_as_clouds(const Project& project, const CompareOptions& options, const SiteFrame& site) {
+  ComparedCloud simulated = options.of_frame() ? compared(frame_of(project, options), project.threads)
+                                               : cleaned(project, options.simulated, site);
+  Comparison result = compare_clouds(std::move(simulated), cleaned(project, options.observed, site), options,
+                                     HeightUnit::metre, project.threads);
+  result.report.sides = names_of_sides(options);
   write_comparison(project.artefacts.compared(options.name, ""), result, options);
   return result.report;
 }
 
-ComparisonReport compare_as_rasters(const Project& project, const CompareOptions& options, Frame frame,
-                                    const SiteFrame& site) {
-  if (options.method == CompareMethod::footprint)
+/// A raster that nothing was cleaned from keeps its cells; other scans are points.
+SurfaceSource surface_of_scan(const Project& project, const std::string& name, const SiteFrame& site) {
+  for (const ScanOptions& scan : project.scenario.scans)
+    if (scan.name == name && scan.file && scan.clean.empty() && scan.height_unit == HeightUnit::metre &&
+        holds_raster(scan.file->path))
+      return local_surface(scan.file->path, site);
+  return read_cleaned_scan(project, name, site);
+}
+
+ComparisonReport compare_as_rasters(const Project& project, const CompareOptions& options, const SiteFrame& site) {
+  if (options.method == CompareMethod::footprint && options.of_frame())
     throw Error("compare", "comparison \"" + options.name + "\": method footprint takes two rasters of thickness",
                 "a frame and a scan", "method = \"dod\" with a scan of the ground before");
-  SurfaceSources sources{std::move(frame), read_cleaned_scan(project, options.observed, site), {}, {}};
-  if (options.before) sources.before = read_cleaned_scan(project, *options.before, site);
-  const SurfaceComparison result = on_same_cells(std::move(sources), options, project.threads);
+  SurfaceSources sources{options.of_frame() ? SurfaceSource(frame_of(project, options))
+                                            : surface_of_scan(project, options.simulated, site),
+                         surface_of_scan(project, options.observed, site),
+                         {},
+                         {}};
+  if (options.before) sources.before = surface_of_scan(project, *options.before, site);
+  SurfaceComparison result = on_same_cells(std::move(sources), options, project.threads);
+  result.comparison.report.sides = names_of_sides(options);
   write_comparison(project.artefacts.compared(options.name, ""), result, options);
   return result.comparison.report;
 }
@@ -163,8 +215,9 @@ ComparisonReport compare_files_as_rasters(const DirectComparison& request, int t
     crs.push_back(site_of(*sources.before).crs);
   }
   require_same_crs(names, crs);
-  const SurfaceComparison result = on_same_cells(std::move(sources), request.options, threads);
-  write_comparison((request.output / request.options.name).string(), result, request.options);
+  SurfaceComparison result = on_same_cells(std::move(sources), request.options, threads);
+  result.comparison.report.sides = names_of_sides(request.simulated, request.observed);
+  write_comparison(request.output / request.options.name, result, request.options);
   return result.comparison.report;
 }
 
@@ -175,16 +228,15 @@ void compare_stage(Project& project, Outcome& outcome) {
   const Stopwatch watch;
   project.reporter->begin("compare");
   require_made_from(project, Maker::ingest);
-  warn_unless_made_from(project, Maker::solver);
+  if (!project.scenario.only_surveys()) warn_unless_made_from(project, Maker::solver);
   const SiteFrame site = read_site(project);
-  const auto frames = read_frame_list(project);
   Json reports = Json::array();
   for (const CompareOptions& options : project.scenario.compare) {
-    const auto& path = (options.simulated == SimulatedFrame::last ? frames.back() : frames.front()).first;
-    const ComparisonReport report = by_rasters(options) ? compare_as_rasters(project, options, read_frame(path), site)
-                                                        : compare_as_clouds(project, options, read_frame(path), site);
+    const ComparisonReport report =
+        by_rasters(options) ? compare_as_rasters(project, options, site) : compare_as_clouds(project, options, site);
     reports.push_back(to_json(report));
     project.reporter->note(in_one_line(report));
+    for (const std::string& warning : report.warnings) project.reporter->note("warning: " + warning);
     within_tolerance(report, options.tolerance, &outcome.exceeded);
     project.reporter->progress(static_cast<double>(reports.size()) /
                                static_cast<double>(project.scenario.compare.size()));

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "solver/model/error.hpp"
 #include "solver/store/model_store.hpp"
 #include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
@@ -28,6 +29,8 @@ std::string volume_sentence(const VolumeReport& report) {
 
 void discretize_stage(Project& project) {
   const Stopwatch watch;
+  if (project.scenario.only_surveys())
+    throw Error("pipeline", "the scenario compares scans and has no bodies to discretize", "", "scarp run");
   project.reporter->begin("discretize");
   require_made_from(project, Maker::ingest);
   const SiteFrame site = read_site(project);

@@ -12,16 +12,12 @@
 namespace scarp {
 namespace {
 
-constexpr const char* kFolder = "/usr/share/fonts/truetype/dejavu/";
+constexpr const char *kRegular = "DejaVuSans.ttf", *kBold = "DejaVuSans-Bold.ttf";
 constexpr int kShift = 6;  ///< bits after the point in OpenCV's fixed-point drawing coordinates
 
-cv::Ptr<cv::freetype::FreeType2> load_font(const std::string& name) {
-  const std::string path = kFolder + name;
-  std::error_code failure;
-  if (!std::filesystem::exists(path, failure))
-    throw Error("render", "the font for the texts is not installed", path, "install the package fonts-dejavu-core");
+cv::Ptr<cv::freetype::FreeType2> load_font(const char* name) {
   cv::Ptr<cv::freetype::FreeType2> font = cv::freetype::createFreeType2();
-  font->loadFontData(path, 0);
+  font->loadFontData(std::filesystem::path(kFontFolder) / name, 0);
   return font;
 }
 
@@ -34,12 +30,27 @@ cv::Point fixed(Point2 p) { return {cvRound((p.x - 0.5) * (1 << kShift)), cvRoun
 
 }  // namespace
 
+std::string missing_font(const std::filesystem::path& folder) {
+  std::error_code failure;
+  for (const char* name : {kRegular, kBold})
+    if (!std::filesystem::exists(folder / name, failure)) return folder / name;
+  return {};
+}
+
+void require_fonts() {
+  if (const std::string path = missing_font(); !path.empty())
+    throw Error("render", "the font for the texts is not installed", path, "install the package fonts-dejavu-core");
+}
+
 struct Canvas::Fonts {
-  cv::Ptr<cv::freetype::FreeType2> regular = load_font("DejaVuSans.ttf");
-  cv::Ptr<cv::freetype::FreeType2> bold = load_font("DejaVuSans-Bold.ttf");
+  Fonts() : regular(load_font(kRegular)), bold(load_font(kBold)) {}
+  cv::Ptr<cv::freetype::FreeType2> regular, bold;
 };
 
-Canvas::Canvas(Picture& picture) : picture_(picture), fonts_(new Fonts) {}
+Canvas::Canvas(Picture& picture) : picture_(picture), fonts_(nullptr) {
+  require_fonts();
+  fonts_ = new Fonts;
+}
 Canvas::~Canvas() { delete fonts_; }
 
 double Canvas::text_width(const std::string& text, double size, bool bold) {

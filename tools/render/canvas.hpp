@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,15 @@ struct Point2 {
 };
 
 enum class Align { left, centre, right };
+
+inline constexpr const char* kFontFolder = "/usr/share/fonts/truetype/dejavu";
+
+/// The font file that a canvas would miss; empty when both are there. To be asked before work begins whose pictures
+/// come last.
+std::string missing_font(const std::filesystem::path& folder = kFontFolder);
+
+/// @throws Error ("render") if a font is missing
+void require_fonts();
 
 /// Antialiased lines, areas and UTF-8 texts (DejaVu Sans) on a picture.
 class Canvas {

@@ -134,8 +134,11 @@ Picture draw_section(const SectionChart& chart) {
   draw_line(box, chart.s, chart.simulated, kSimulated);
   box.axes(chart.title, "distance along the section (m)", "height (m)");
   const double f = kFont, line = kHeight - 0.95 * f;
-  box.canvas.text("simulated", {double(box.plot.left), line}, f, kSimulated, Align::left, true);
-  box.canvas.text("observed", {box.plot.left + 7.5 * f, line}, f, kObserved, Align::left, true);
+  const std::string first = shorten(box.canvas, chart.simulated_name, f, 0.3 * box.plot.width, true);
+  const std::string second = shorten(box.canvas, chart.observed_name, f, 0.3 * box.plot.width, true);
+  box.canvas.text(first, {double(box.plot.left), line}, f, kSimulated, Align::left, true);
+  const double next = box.plot.left + box.canvas.text_width(first, f, true) + 1.5 * f;
+  box.canvas.text(second, {next, line}, f, kObserved, Align::left, true);
   const double vertical = box.plot.height / (box.y1 - box.y0), along = box.plot.width / (box.x1 - box.x0);
   box.canvas.text("heights exaggerated " + format_three_digits(vertical / along) + " times",
                   {double(box.plot.right()), line}, f, kFaint, Align::right);

@@ -24,6 +24,7 @@ struct SectionChart {
   std::vector<double> s;                    ///< m
   std::vector<double> simulated, observed;  ///< heights of the site, m; NaN where there is none
   std::string title;
+  std::string simulated_name = "simulated", observed_name = "observed";
 };
 /// Heights along a line; how much they are exaggerated stands in the picture. @throws Error ("render") without heights
 Picture draw_section(const SectionChart& chart);

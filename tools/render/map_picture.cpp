@@ -183,7 +183,7 @@ Picture draw_footprint_map(const FootprintMap& map) {
   Canvas canvas(sheet.picture);
   sheet.frame(canvas, map.title, map.remarks);
   const double f = sheet.layout.font;
-  const char* const names[] = {"both", "simulated only", "observed only"};
+  const std::string names[] = {"both", map.simulated + " only", map.observed + " only"};
   for (int k = 0; k < 3; ++k)
     draw_swatch(canvas, sheet.layout, sheet.layout.column.top + 1.6 * k * f, kClasses[k], names[k]);
   return std::move(sheet.picture);

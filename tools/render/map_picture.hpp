@@ -29,6 +29,7 @@ struct FootprintMap {
   const Heightfield* cells = nullptr;
   const Heightfield* ground = nullptr;  ///< same cells; may be nullptr
   std::string title, remarks;
+  std::string simulated = "simulated", observed = "observed";  ///< what the two are called
 };
 Picture draw_footprint_map(const FootprintMap& map);
 

@@ -8,6 +8,7 @@
 
 #include "solver/materials/law.hpp"
 #include "tools/scenario/formula.hpp"
+#include "tools/scenario/read_values.hpp"
 #include "tools/scenario/resolve.hpp"
 #include "tools/scenario/schema_kinds.hpp"
 #include "tools/scenario/suggest.hpp"
@@ -27,6 +28,7 @@ class Checker {
   Checker(const Scenario& scenario, const Node& root) : scenario_(scenario), root_(root) {}
 
   void run() const {
+    check_what_is_simulated();
     check_domain();
     check_names("scans", scan_names());
     check_names("bodies", names_of(scenario_.bodies));
@@ -34,7 +36,6 @@ class Checker {
     check_names("probes", names_of(scenario_.probes));
     for (std::size_t i = 0; i < scenario_.scans.size(); ++i) check_scan(i);
     check_materials();
-    if (scenario_.bodies.empty()) fail({"bodies"}, "a scenario needs at least one body", "[[bodies]]");
     for (std::size_t i = 0; i < scenario_.bodies.size(); ++i) check_body(i);
     check_field({"solver", "body_force"}, scenario_.solver.body_force);
     check_unique_fields();
@@ -124,6 +125,22 @@ class Checker {
 
   void check_polygon(const Steps& steps, const std::vector<Vec2>& polygon) const {
     if (polygon.size() < 3) fail(steps, path_of(steps) + " is not a polygon", "at least 3 corners");
+  }
+
+  /// All that a simulation needs, unless nothing but scans is compared; then there is nothing to draw or to load.
+  void check_what_is_simulated() const {
+    const bool only_surveys = scenario_.only_surveys();
+    Scenario{}.describe([&](std::string_view key, auto&, const Spec& spec) {
+      const bool needed = key == "domain" || key == "materials" || key == "bodies" || key == "solver";
+      const bool goes_without = key == "title" || key == "scans" || key == "compare";
+      if (!only_surveys && needed && !root_.find(key)) refuse_missing(root_, key, spec, "");
+      if (only_surveys && !goes_without && root_.find(key))
+        fail({std::string(key)},
+             "this scenario compares scans only and has no bodies, which \"" + std::string(key) + "\" is about",
+             "title, scans, compare");
+    });
+    if (!only_surveys && scenario_.bodies.empty())
+      fail({"bodies"}, "a scenario needs at least one body, or comparisons of two scans only", "[[bodies]]");
   }
 
   void check_domain() const {
@@ -434,6 +451,12 @@ class Checker {
     const CompareOptions& compare = scenario_.compare[i];
     const Steps steps{"compare", std::to_string(i)};
     check_reference(steps + "observed", compare.observed, "scan", scan_names());
+    if (!compare.of_frame()) {
+      check_reference(steps + "simulated", compare.simulated, "scan, nor a frame \"last\" or \"first\",", scan_names());
+      const bool by_rasters = compare.method == CompareMethod::dod || compare.method == CompareMethod::footprint;
+      if (!by_rasters && compare.max_distance == 0 && scenario_.domain.cell == 0)
+        fail(steps, path_of(steps) + " needs the key \"max_distance\": there is no domain with cells", "above 0 m");
+    }
     const NormalSide side = compare.m3c2.orientation;
     if ((side == NormalSide::towards || side == NormalSide::away) && !compare.m3c2.viewpoint)
       fail(steps + "m3c2" + "orientation", path_of(steps + "m3c2" + "orientation") + " needs the key \"viewpoint\"");

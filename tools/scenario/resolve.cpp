@@ -61,12 +61,12 @@ void resolve_defaults(Scenario& scenario) {
   for (CompareOptions& compare : scenario.compare) {
     if (compare.name.empty()) compare.name = default_name(compare);
     if (compare.max_distance == 0) compare.max_distance = 10 * scenario.domain.cell;
-    if (compare.simulated_spacing == 0) compare.simulated_spacing = widest_spacing(scenario);
+    if (compare.of_frame() && compare.simulated_spacing == 0) compare.simulated_spacing = widest_spacing(scenario);
   }
 }
 
 std::string default_name(const CompareOptions& compare) {
-  const std::string pair = std::string(name_of(compare.simulated)) + "_" + compare.observed;
+  const std::string pair = compare.simulated + "_" + compare.observed;
   return compare.method == CompareMethod::c2c ? pair : pair + "_" + std::string(name_of(compare.method));
 }
 

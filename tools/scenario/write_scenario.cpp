@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/scenario/write_scenario.hpp"
 
+#include <algorithm>
+
 #include "tools/scenario/schema_writer.hpp"
 
 namespace scarp {
 
 std::string to_toml(const Scenario& scenario) {
-  return print_toml(SchemaWriter(scenario.domain.dimension).write(scenario));
+  TomlValue root = SchemaWriter(scenario.domain.dimension).write(scenario);
+  if (scenario.only_surveys())
+    std::erase_if(root.children,
+                  [](const TomlValue& v) { return v.key != "title" && v.key != "scans" && v.key != "compare"; });
+  return print_toml(root);
 }
 
 }  // namespace scarp

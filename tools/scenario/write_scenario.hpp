@@ -8,7 +8,8 @@
 
 namespace scarp {
 
-/// The scenario as TOML text, every key written out, optional ones where they are set. Doubles are in the shortest
+/// The scenario as TOML text, every key written out, optional ones where they are set, and of one that only compares
+/// scans no others than these two need. Doubles are in the shortest
 /// form that reads back to the same bits: parse_scenario(to_toml(s)) is s.
 /// @throws Error ("scenario") if a number is not finite.
 std::string to_toml(const Scenario& scenario);

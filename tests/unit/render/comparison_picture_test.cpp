@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solver/model/error.hpp"
+#include "tools/render/canvas.hpp"
 #include "tools/render/chart_picture.hpp"
 #include "tools/render/map_picture.hpp"
 
@@ -55,6 +56,23 @@ TEST(FootprintMap, HasAColourForEachKindOfCell) {
     EXPECT_GT(of(map), 20 * of(bare)) << "a third of the map, against a box of the key";
     EXPECT_GT(of(bare), 0);
   }
+}
+
+TEST(Canvas, SaysWhichFontIsMissing) {
+  EXPECT_EQ(missing_font(), "");
+  EXPECT_EQ(missing_font("/nowhere"), "/nowhere/DejaVuSans.ttf");
+}
+
+TEST(Pictures, CallTheSidesByTheirNames) {
+  const Heightfield cells = strip({1, 2, 3});
+  FootprintMap map{&cells, nullptr, "t", ""};
+  const Picture usual = draw_footprint_map(map);
+  map.observed = "2012";
+  EXPECT_NE(draw_footprint_map(map).pixels, usual.pixels);
+  SectionChart chart{{0, 1}, {0, 1}, {0, 2}, "t"};
+  const Picture section = draw_section(chart);
+  chart.simulated_name = "2004";
+  EXPECT_NE(draw_section(chart).pixels, section.pixels);
 }
 
 TEST(Histogram, NeedsValues) {

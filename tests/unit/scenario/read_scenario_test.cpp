@@ -229,7 +229,8 @@ TEST_F(ReadScenario, ChecksTheTextbookProblemAcrossKeys) {
   const std::string bodiless = kDisks.substr(0, kDisks.find("[[bodies]]")) + "[solver]\nend_time = 1\n";
   EXPECT_EQ(error_of(bodiless), "a.toml:1:1: the scenario lacks the required key \"bodies\" (what is simulated)");
   EXPECT_EQ(error_of("bodies = []\n" + bodiless),
-            "a.toml:1:10: a scenario needs at least one body: found []; allowed: [[bodies]]");
+            "a.toml:1:10: a scenario needs at least one body, or comparisons of two scans only: found []; allowed: "
+            "[[bodies]]");
 }
 
 TEST_F(ReadScenario, ChecksTheHillsideAcrossKeys) {
