@@ -8,6 +8,7 @@
 
 #include "solver/model/math.hpp"
 #include "solver/model/schema.hpp"
+#include "solver/model/survey_error_options.hpp"
 
 namespace scarp {
 
@@ -45,6 +46,14 @@ struct enum_names<Average> {
       {{"mean", Average::mean}, {"median", Average::median}}};
 };
 
+/// What a level of detection is made of.
+enum class DetectionSource { spread, errors };
+template <>
+struct enum_names<DetectionSource> {
+  static constexpr std::array<std::pair<std::string_view, DetectionSource>, 2> value{
+      {{"spread", DetectionSource::spread}, {"errors", DetectionSource::errors}}};
+};
+
 /// Distances between two clouds along the normals of the first (M3C2: Lague, Brodu & Leroux 2013). All lengths are
 /// radii, never diameters; the half length of the cylinders is the comparison's max_distance.
 struct M3c2Options {
@@ -57,6 +66,9 @@ struct M3c2Options {
   int minimum_points = 5;
   std::optional<InputFile> core_points;
   double core_spacing = 0;
+  DetectionSource detection = DetectionSource::spread;
+  ScannerOptions scanner_simulated, scanner_observed;
+  AlignmentOptions alignment;
 
   template <class V>
   void describe(V&& v) {
@@ -88,6 +100,15 @@ struct M3c2Options {
       Spec{.text = "cloud of the points at which distances are measured; default: the simulated points"});
     v("core_spacing", core_spacing,
       Spec{.text = "thins the core points to one per cube of this edge; 0 keeps all", .unit = "m", .at_least = 0});
+    v("detection", detection,
+      Spec{.text =
+               "what the level of detection is made of: the spread of the points in a cylinder, or the errors of their "
+               "measurement and alignment, propagated (M3C2-EP)"});
+    v("scanner_simulated", scanner_simulated,
+      Spec{.text = "of the simulated side, where that is a survey too; a simulation has simulated_spacing / sqrt(12) "
+                   "along every axis"});
+    v("scanner_observed", scanner_observed, Spec{.text = "errors of the observed side's measurements"});
+    v("alignment", alignment, Spec{.text = "errors of the observed side's registration"});
   }
 };
 

@@ -12,8 +12,9 @@ namespace {
 
 class ArgumentAdder {
  public:
-  ArgumentAdder(CLI::App& verb, std::string prefix, std::string group)
-      : verb_(verb), prefix_(std::move(prefix)), group_(std::move(group)) {}
+  /// @param path of the table in the scenario
+  ArgumentAdder(CLI::App& verb, std::string prefix, std::string path)
+      : verb_(verb), prefix_(std::move(prefix)), path_(std::move(path)), group_("Keys of [" + path_ + "]") {}
 
   template <class T>
   void operator()(std::string_view key, T& member, const Spec& spec) const {
@@ -23,8 +24,10 @@ class ArgumentAdder {
       else
         add<typename T::value_type>(key, spec, [&member](typename T::value_type value) { member = std::move(value); });
     } else if constexpr (Described<T>) {
-      const std::string name(key);
-      member.describe(ArgumentAdder(verb_, name == "tolerance" ? "tolerance-" : "", "Keys of [compare." + name + "]"));
+      const std::string name(key), path = path_ + "." + name;
+      // Keys of these say what they are of only together with the table's name.
+      const bool named = name == "tolerance" || name == "alignment" || name.starts_with("scanner_");
+      member.describe(ArgumentAdder(verb_, named ? name + "-" : "", path));
     } else {
       add<T>(key, spec, [&member](T value) { member = std::move(value); });
     }
@@ -88,12 +91,14 @@ class ArgumentAdder {
                  std::copy_n(v.begin(), count, tuple.begin());
                  store(tuple);
                })->expected(count);
-    } else if constexpr (std::is_same_v<T, std::vector<Vec2>>) {
+    } else if constexpr (std::is_same_v<T, std::vector<Vec2>> || std::is_same_v<T, std::vector<Vec3>>) {
       option = numbers(name, spec, [name, store](const std::vector<double>& v) {
-        if (v.size() % 2 != 0) throw CLI::ValidationError(name, "x,y of each corner: an even count of numbers");
-        T corners;
-        for (std::size_t i = 0; i < v.size(); i += 2) corners.push_back({v[i], v[i + 1]});
-        store(corners);
+        constexpr std::size_t axes = std::tuple_size_v<typename T::value_type>;
+        if (v.size() % axes != 0)
+          throw CLI::ValidationError(name, std::to_string(axes) + " numbers for each point, one after the other");
+        T points(v.size() / axes);
+        for (std::size_t i = 0; i < v.size(); ++i) points[i / axes][i % axes] = v[i];
+        store(points);
       });
     } else {
       static_assert(std::is_arithmetic_v<T>, "a kind of key that has no option on the command line");
@@ -107,13 +112,13 @@ class ArgumentAdder {
   }
 
   CLI::App& verb_;
-  std::string prefix_, group_;
+  std::string prefix_, path_, group_;
 };
 
 }  // namespace
 
 void add_compare_arguments(CLI::App& verb, CompareOptions& options) {
-  const ArgumentAdder adder(verb, "", "Comparison of two files");
+  const ArgumentAdder adder(verb, "", "compare");
   options.describe([&](std::string_view key, auto& member, const Spec& spec) {
     if (key != "simulated" && key != "observed") adder(key, member, spec);
   });

@@ -48,10 +48,11 @@ struct Cylinder {
   }
 };
 
-/// Positions along n, from the core point, of the points in the cylinder.
+/// Positions along n, from the core point, of the points in the cylinder, and which points these are if asked for.
 void gather(const PointTree& tree, const Vec3& core, const Vec3& n, const Cylinder& cylinder,
-            std::vector<double>& positions) {
+            std::vector<double>& positions, std::vector<std::uint32_t>* members) {
   positions.clear();
+  if (members) members->clear();
   tree.visit(
       [&](const PointTree::Box& box) {
         return may_touch_cylinder(box, core, n, cylinder.radius, cylinder.half_length);
@@ -60,7 +61,9 @@ void gather(const PointTree& tree, const Vec3& core, const Vec3& n, const Cylind
         for (std::size_t i = begin; i < end; ++i) {
           const Vec3 d = tree.points()[i] - core;
           const double t = dot(d, n);
-          if (cylinder.holds(d, n, t)) positions.push_back(t);
+          if (!cylinder.holds(d, n, t)) continue;
+          positions.push_back(t);
+          if (members) members->push_back(tree.indices()[i]);
         }
       });
 }
@@ -92,23 +95,33 @@ class CoreMeasure {
   struct Scratch {
     std::vector<Vec3> offsets;
     std::vector<double> positions;
+    std::vector<std::uint32_t> simulated, observed;  ///< members of the cylinder, for propagation
   };
 
   M3c2Row at(std::size_t i, Scratch& scratch) const {
     const Vec3& core = input_.cores[i];
-    M3c2Row row{normal_at(i, scratch), {kNaN, kNaN, 0}, {kNaN, kNaN, 0}, kNaN, kNaN, 0};
+    M3c2Row row{.normal = normal_at(i, scratch),
+                .simulated = {kNaN, kNaN, 0},
+                .observed = {kNaN, kNaN, 0},
+                .distance = kNaN,
+                .detection = kNaN,
+                .flags = 0};
     const Vec3& n = row.normal.direction;
     if (!is_finite(n)) {
       row.flags = kNoNormal | kNoSimulated | kNoObserved | kNoDetection;
       return row;
     }
-    gather(simulated_, core, n, cylinder_, scratch.positions);
+    const bool propagates = settings_.errors.has_value();
+    gather(simulated_, core, n, cylinder_, scratch.positions, propagates ? &scratch.simulated : nullptr);
     row.simulated = level_of(scratch.positions, settings_.average, settings_.rules);
-    gather(observed_, core, n, cylinder_, scratch.positions);
+    gather(observed_, core, n, cylinder_, scratch.positions, propagates ? &scratch.observed : nullptr);
     row.observed = level_of(scratch.positions, settings_.average, settings_.rules);
     row.distance = row.observed.position - row.simulated.position;
     const std::size_t fewest = std::min(row.simulated.count, row.observed.count);
-    if (fewest >= settings_.rules.minimum_points) row.detection = detection(row.simulated, row.observed, settings_);
+    if (fewest >= settings_.rules.minimum_points && propagates)
+      propagate_errors(core, scratch, row);
+    else if (fewest >= settings_.rules.minimum_points)
+      row.detection = detection(row.simulated, row.observed, settings_);
     row.flags = static_cast<std::uint8_t>((row.simulated.count == 0 ? kNoSimulated : 0) |
                                           (row.observed.count == 0 ? kNoObserved : 0) |
                                           (std::isnan(row.detection) ? kNoDetection : 0));
@@ -116,6 +129,23 @@ class CoreMeasure {
   }
 
  private:
+  void propagate_errors(const Vec3& core, const Scratch& scratch, M3c2Row& row) const {
+    const SurveyErrors& errors = *settings_.errors;
+    const Vec3& n = row.normal.direction;
+    const PropagatedMean first = propagate(input_.simulated, scratch.simulated, errors, false);
+    const PropagatedMean second = propagate(input_.observed, scratch.observed, errors, true);
+    row.sigma_simulated = std::sqrt(variance_along(first.measured, n));
+    row.sigma_observed = std::sqrt(variance_along(second.measured, n));
+    row.sigma_alignment = std::sqrt(variance_along(second.aligned, n));
+    Mat3 covariance = first.measured;
+    for (std::size_t k = 0; k < 9; ++k) covariance[k] += second.measured[k] + second.aligned[k];
+    row.detection = propagated_detection(covariance, n, settings_.registration_error, errors.rule);
+    if (errors.rule != PropagationRule::py4dgeo) return;
+    row.simulated.position = dot(first.mean - core, n);
+    row.observed.position = dot(second.mean - core, n);
+    row.distance = row.observed.position - row.simulated.position;
+  }
+
   Normal normal_at(std::size_t i, Scratch& scratch) const {
     if (normals_) return normals_->at(input_.cores[i], scratch.offsets);
     Normal normal;

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "solver/model/compare_options.hpp"
 #include "tools/compare/comparison.hpp"
+#include "tools/compare/error_propagation.hpp"
 #include "tools/compare/m3c2_rules.hpp"
 
 namespace scarp {
@@ -26,6 +29,11 @@ struct M3c2Row {
   double distance;            ///< observed.position - simulated.position, m
   double detection;           ///< level of detection at 95 %, m
   std::uint8_t flags;
+  /// Standard deviations along the normal by propagated errors, m: of either mean by measurement, and of the observed
+  /// one by alignment. NaN without propagation.
+  double sigma_simulated = std::numeric_limits<double>::quiet_NaN();
+  double sigma_observed = std::numeric_limits<double>::quiet_NaN();
+  double sigma_alignment = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct M3c2Input {
@@ -45,12 +53,15 @@ struct M3c2Settings {
   /// Of the simulated side, m: spacing / sqrt(12), or 0. What a lattice of material points cannot resolve shifts all
   /// points of a cylinder alike, so that the standard error of their mean is at least this.
   double simulated_floor = 0;
+  std::optional<SurveyErrors> errors;  ///< in the frame of the points: levels of detection by propagation
 };
 
 /// M3C2 (Lague, Brodu & Leroux 2013) at every core point, in one frame:
 ///   distance = n . (mean of observed - mean of simulated),
 ///   detection = 1.96 (sqrt(max(s1^2 / n1, simulated_floor^2) + s2^2 / n2) + registration_error),
-/// s the standard deviations along n, or the interquartile ranges for medians. The same bits for any number of threads.
+/// s the standard deviations along n, or the interquartile ranges for medians; with settings.errors the level of
+/// detection is that of error_propagation.hpp, and so is the distance where its rule weights points. The same bits for
+/// any number of threads.
 std::vector<M3c2Row> m3c2(const M3c2Input& input, const M3c2Settings& settings, int threads);
 
 /// The comparison of two clouds. Its cloud is the core points in their own frame, with normals and the scalars

@@ -11,6 +11,7 @@
 #include "tools/compare/detection.hpp"
 #include "tools/compare/m3c2.hpp"
 #include "tools/compare/statistics.hpp"
+#include "tools/compare/survey_errors.hpp"
 
 namespace scarp {
 namespace {
@@ -63,6 +64,10 @@ M3c2Settings settings_of(const CompareOptions& options, const M3c2Input& input, 
   s.normals = {m.normal_radii, s.rules.closed_ball, s.rules.scale, m.orientation,
                m.viewpoint ? *m.viewpoint - origin : Vec3{0, 0, 0}};
   if (s.normals.radii.empty()) s.normals.radii = {s.radius, 2 * s.radius, 4 * s.radius};
+  if (m.detection == DetectionSource::errors) {
+    s.rules.segments = false;
+    s.rules.minimum_points = static_cast<std::size_t>(std::max(1, m.minimum_points));
+  }
   return s;
 }
 
@@ -78,7 +83,7 @@ void check(const CompareOptions& options) {
     if (!(radius > 0)) throw Error("compare", "a radius of normal_radii", shortest(radius), "above 0 m");
 }
 
-std::vector<PointScalar> scalars_of(const std::vector<M3c2Row>& rows) {
+std::vector<PointScalar> scalars_of(const std::vector<M3c2Row>& rows, bool propagated) {
   std::vector<PointScalar> scalars;
   const auto add = [&](const char* name, const char* unit, auto&& value) {
     PointScalar scalar{name, unit, {}};
@@ -93,6 +98,11 @@ std::vector<PointScalar> scalars_of(const std::vector<M3c2Row>& rows) {
   add("spread_observed", "m", [](const M3c2Row& r) { return r.observed.spread; });
   add("count_simulated", "1", [](const M3c2Row& r) { return r.simulated.count; });
   add("count_observed", "1", [](const M3c2Row& r) { return r.observed.count; });
+  if (propagated) {
+    add("sigma_simulated", "m", [](const M3c2Row& r) { return r.sigma_simulated; });
+    add("sigma_observed", "m", [](const M3c2Row& r) { return r.sigma_observed; });
+    add("sigma_alignment", "m", [](const M3c2Row& r) { return r.sigma_alignment; });
+  }
   add("normal_radius", "m", [](const M3c2Row& r) { return r.normal.radius; });
   add("flags", "1", [](const M3c2Row& r) { return r.flags; });
   return scalars;
@@ -104,11 +114,16 @@ MeasureGroup parameters(const M3c2Settings& s, const CompareOptions& options, co
         std::count_if(rows.begin(), rows.end(), [&](const M3c2Row& row) { return (row.flags & flag) != 0; }));
   };
   std::string convention = in_words(options.convention, s.rules, s.average);
+  if (s.errors)
+    convention += in_words(*s.errors);
+  else
+    convention +=
+        "lod = 1.96 (sqrt(max(s1^2/n1, simulated_floor^2) + s2^2/n2) + registration_error), s the spreads, n the "
+        "counts, 1 the simulated and 2 the observed side. ";
   convention +=
-      "lod = 1.96 (sqrt(max(s1^2/n1, simulated_floor^2) + s2^2/n2) + registration_error), s the spreads, n the counts, "
-      "1 the simulated and 2 the observed side; null for fewer than minimum_points. Where there is nothing to measure "
-      "distance, lod and significant are NaN and counts 0. flags of a point: 1 no normal, 2 no simulated points, 4 no "
-      "observed points, 8 no level of detection, or their sum.";
+      "lod is null for fewer than minimum_points. Where there is nothing to measure distance, lod and significant are "
+      "NaN and counts 0. flags of a point: 1 no normal, 2 no simulated points, 4 no observed points, 8 no level of "
+      "detection, or their sum.";
   return {"m3c2",
           convention,
           {{"cylinder_radius", s.radius, "m"},
@@ -141,10 +156,12 @@ Comparison compare_m3c2(const PointCloud& simulated, const PointCloud& observed,
   const M3c2Input input{moved(simulated.positions, simulated.site.origin, origin),
                         moved(observed.positions, observed.site.origin, origin),
                         moved(result.cloud.positions, result.cloud.site.origin, origin), result.cloud.normals};
-  const M3c2Settings settings = settings_of(options, input, origin);
+  M3c2Settings settings = settings_of(options, input, origin);
+  if (options.m3c2.detection == DetectionSource::errors)
+    settings.errors = survey_errors(options, simulated, observed, input.observed, origin);
   const std::vector<M3c2Row> rows = m3c2(input, settings, threads);
 
-  std::vector<PointScalar> scalars = scalars_of(rows);
+  std::vector<PointScalar> scalars = scalars_of(rows, settings.errors.has_value());
   result.report.distances = distance_statistics(scalars[0].values, options.max_distance,
                                                 "Distance from the simulated to the observed surface along the normal, "
                                                 "positive where the observed one lies on the normal's side.");
