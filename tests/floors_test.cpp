@@ -48,7 +48,7 @@ const std::vector<std::pair<std::string, std::set<std::string>>> kOwners{
     {"openssl/", {"tools/pipeline"}},
     {"CLI/", {"tools/cli"}},
     {"nanoflann", {"ingest/neighbours"}},
-    {"Eigen/", {"solver/materials", "solver/core"}},
+    {"Eigen/", {"solver/materials", "solver/core", "tools/compare"}},
     {"omp.h", {"solver/core"}},
     {"chrono", {"tools/cli", "tools/pipeline"}}};
 

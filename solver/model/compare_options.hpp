@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/model/c2c_options.hpp"
+#include "solver/model/displacement_options.hpp"
 #include "solver/model/dod_options.hpp"
 #include "solver/model/m3c2_options.hpp"
 #include "solver/model/schema.hpp"
@@ -18,15 +19,16 @@ namespace scarp {
 inline constexpr std::string_view kLastFrame = "last", kFirstFrame = "first";
 
 /// How two surfaces are held against each other.
-enum class CompareMethod { c2c, m3c2, c2m, dod, footprint };
+enum class CompareMethod { c2c, m3c2, c2m, dod, footprint, displacement };
 template <>
 struct enum_names<CompareMethod> {
-  static constexpr std::array<std::pair<std::string_view, CompareMethod>, 5> value{
+  static constexpr std::array<std::pair<std::string_view, CompareMethod>, 6> value{
       {{"c2c", CompareMethod::c2c},
        {"m3c2", CompareMethod::m3c2},
        {"c2m", CompareMethod::c2m},
        {"dod", CompareMethod::dod},
-       {"footprint", CompareMethod::footprint}}};
+       {"footprint", CompareMethod::footprint},
+       {"displacement", CompareMethod::displacement}}};
 };
 
 /// Whose rules decide where programs of the field differ.
@@ -78,6 +80,7 @@ struct CompareOptions {
   DodOptions dod;
   std::optional<std::string> before;
   FootprintOptions footprint;
+  DisplacementOptions displacement;
   std::vector<Vec2> section;
   bool pictures = true;
   CompareTolerance tolerance;
@@ -96,7 +99,9 @@ struct CompareOptions {
       Spec{.text =
                "c2c: distance to the nearest point; m3c2: distance along normals between local averages, with a level "
                "of detection; dod: difference of the two as rasters, with volumes; footprint: overlap and run-out of "
-               "two rasters of thickness (two files only)"});
+               "two rasters of thickness; displacement: vectors at targets or of blocks that moved from one survey to "
+               "the "
+               "next, against those of the simulation"});
     v("convention", convention, Spec{.text = "whose rules decide where programs differ"});
     v("max_distance", max_distance,
       Spec{.text = "beyond it a point has no counterpart (NaN); 0 means ten cells of the domain",
@@ -119,8 +124,11 @@ struct CompareOptions {
     v("before", before,
       Spec{.text =
                "the ground before, a scan (of two files: a file). dod: where a surface differs from it by more than "
-               "footprint.threshold is its footprint; footprint: the terrain, for the drop"});
+               "footprint.threshold is its footprint; footprint: the terrain, for the drop; displacement: the survey "
+               "that "
+               "blocks moved from, where the simulated side is a frame"});
     v("footprint", footprint, Spec{.text = "footprint and run-out"});
+    v("displacement", displacement, Spec{.text = "displacement vectors"});
     v("section", section,
       Spec{.text = "corners of a line in plan along which both surfaces are cut; dod only",
            .unit = "m",

@@ -22,12 +22,12 @@ struct ScannerOptions {
   template <class V>
   void describe(V&& v) {
     v("positions", positions,
-      Spec{.text = "where the scanner stood; of several the cloud's field \"scan_position\" says, counted from 1, which "
-                   "one saw a point",
+      Spec{.text =
+               "where the scanner stood; of several the cloud's field \"scan_position\" says, counted from 1, which "
+               "one saw a point",
            .unit = "m",
            .role = Role::position});
-    v("sigma_range", sigma_range,
-      Spec{.text = "standard deviation of a measured range", .unit = "m", .at_least = 0});
+    v("sigma_range", sigma_range, Spec{.text = "standard deviation of a measured range", .unit = "m", .at_least = 0});
     v("range_scale", range_scale,
       Spec{.text = "share of the range that is added to it, in squares (1e-6 for 1 ppm)", .at_least = 0, .below = 1});
     v("sigma_azimuth", sigma_azimuth,

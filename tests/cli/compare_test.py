@@ -4,6 +4,7 @@
 import csv
 import json
 import math
+import random
 import struct
 import subprocess
 import sys
@@ -138,6 +139,54 @@ class Compare(unittest.TestCase):
         _, report, _ = self.compare(below, mesh, "--method", "c2m", "--max-distance", "2")
         self.assertEqual(report["distances"]["mean_m"], -1, "below the side of the normals")
         self.assertEqual(report["mesh"]["border_edges"], 4)
+
+    def test_levels_of_detection_by_propagated_errors(self):
+        first, second = self.write_cloud("a.csv", self.bumpy()), self.write_cloud("b.csv", self.bumpy(0.5))
+        arguments = [first, second, "--method", "m3c2", "--max-distance", "2", "--cylinder-radius", "1", "--normals",
+                     "vertical", "--detection", "errors", "--scanner-simulated-positions", "499990,4100005,0",
+                     "--scanner-simulated-sigma-range", "0.01", "--scanner-observed-positions", "499990,4100005,0",
+                     "--scanner-observed-sigma-elevation", "0.1"]
+        _, report, rows = self.compare(*arguments)
+        middle = rows[20 * 40 + 20]  # 15 m from the scanner, level with it: range errors are level, elevation's upright
+        count = middle["count_observed"]
+        self.assertAlmostEqual(middle["sigma_observed"], 15 * math.radians(0.1) / math.sqrt(count), delta=2e-4)
+        self.assertLess(middle["sigma_simulated"], 1e-3)
+        self.assertAlmostEqual(middle["lod"], 1.96 * math.hypot(middle["sigma_observed"], middle["sigma_simulated"]),
+                               delta=1e-12)
+        self.assertIn("Winiwarter", report["m3c2"]["convention"])
+        _, _, shared = self.compare(*arguments, "--alignment-sigma-translation", "0.03")
+        self.assertAlmostEqual(shared[20 * 40 + 20]["sigma_alignment"], 0.03, delta=1e-12)
+        self.assertIn("scanner_observed.positions", self.compare(*arguments[:-4], code=2).err)
+
+    def test_displacement_vectors(self):
+        def ground(x, y):
+            return 0.3 * math.sin(0.9 * x) * math.cos(0.7 * y) + 0.2 * x + 0.1 * math.sin(2.1 * y - x)
+
+        def survey(name, east, north, seed):
+            random.seed(seed)
+            places = [(random.uniform(-1, 21), random.uniform(-1, 21)) for _ in range(12000)]
+            return self.write_cloud(name, [(500000 + x + east, 4100000 + y + north, ground(x, y) + random.gauss(0, 0.005))
+                                           for x, y in places])
+        before, after = survey("before.csv", 0, 0, 1), survey("after.csv", 0.4, -0.25, 2)
+        _, report, rows = self.compare(before, after, "--method", "displacement", "--block", "5", "--max-distance", "1.5")
+        known = [row for row in rows if row["flags"] == 0]
+        self.assertGreaterEqual(len(known), 16)
+        for row in known:
+            self.assertAlmostEqual(row["dx"], 0.4, delta=max(0.01, 4 * row["sigma_x"]))
+            self.assertAlmostEqual(row["dy"], -0.25, delta=max(0.01, 4 * row["sigma_y"]))
+        self.assertEqual(report["names_of_sides"], {"simulated": "before", "observed": "after"})
+        self.assertEqual(report["vectors"]["known"], len(known))
+        self.assertTrue((self.folder / "n_vectors.png").exists())
+        for name in ("dx", "sigma_z", "flags"):
+            self.assertIn(name, las_fields(self.folder / "n.las"))
+        targets = self.folder / "targets.csv"
+        targets.write_text("x,y,z\n" + f"500010,4100010,{ground(10, 10)!r}\n500300,4100300,0\n")
+        _, report, rows = self.compare(before, after, "--method", "displacement", "--block", "5", "--max-distance", "1.5",
+                                       "--targets", targets)
+        self.assertAlmostEqual(rows[0]["dx"], 0.4, delta=0.01)
+        self.assertEqual((math.isnan(rows[1]["dx"]), rows[1]["flags"]), (True, 1))
+        done = self.compare(before, after, "--method", "displacement", "--max-distance", "1.5", code=2)
+        self.assertIn("displacement.block (--block)", done.err)
 
     def test_two_surveys_are_compared_by_a_scenario_without_bodies(self):
         self.write_cloud("a.csv", self.bumpy())

@@ -28,11 +28,13 @@ class Run:
         return f"exit {self.code}\n--- out\n{self.out}--- err\n{self.err}"
 
 
-def validation_row(quantity, expected, got, tolerance, why):
-    """A row of the validation table, printed and kept like those of tests/support/validation_table.hpp."""
+def validation_row(quantity, expected, got, tolerance, why, kept=True):
+    """A row of the validation table, printed and, unless told otherwise, kept like those of
+    tests/support/validation_table.hpp."""
     row = f"| {quantity} | {expected:.6g} | {got:.6g} | {tolerance:.2g} | {why} |"
     print(row, flush=True)
-    if path := os.environ.get("SCARP_VALIDATION_ROWS"):
+    path = os.environ.get("SCARP_VALIDATION_ROWS")
+    if kept and path:
         with open(path, "a" if validation_row.begun else "w") as file:
             file.write(row + "\n")
         validation_row.begun = True

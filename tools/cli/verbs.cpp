@@ -151,8 +151,9 @@ ExitCode compare_two(const CompareArguments& arguments, const CommonOptions& opt
   if (name.empty() || name[0] == '.' || name.find('/') != std::string::npos)
     throw Error("compare", "--name cannot name a file", name, "no slashes, not starting with a dot");
   const CompareMethod method = request.options.method;
-  const bool by_rasters = method == CompareMethod::dod || method == CompareMethod::footprint;
-  if (!by_rasters && !(request.options.max_distance > 0))
+  const bool needs_distance =
+      method == CompareMethod::c2c || method == CompareMethod::m3c2 || method == CompareMethod::c2m;
+  if (needs_distance && !(request.options.max_distance > 0))
     throw Error("compare", "--max-distance is needed to compare two files", shortest(request.options.max_distance),
                 "above 0 m");
   Outcome outcome;

@@ -39,8 +39,8 @@ Comparison compare(ComparedSide simulated, const ComparedSide& observed, const P
                          need<TriangleMesh>(observed, "observed", options), options, threads);
     case CompareMethod::dod:
     case CompareMethod::footprint:
-      throw Error("compare", "method \"" + std::string(name_of(options.method)) +
-                                 "\" and two sides that are not on the same cells");
+    case CompareMethod::displacement:
+      throw Error("compare", "method \"" + std::string(name_of(options.method)) + "\" and two sides as they are");
   }
   return {};
 }

@@ -114,8 +114,7 @@ double variance_along(const Mat3& C, const Vec3& n) { return dot(n, times(C, n))
 
 double propagated_detection(const Mat3& covariance, const Vec3& normal, double registration_error,
                             PropagationRule rule) {
-  if (rule == PropagationRule::mean)
-    return 1.96 * (std::sqrt(variance_along(covariance, normal)) + registration_error);
+  if (rule == PropagationRule::mean) return 1.96 * (std::sqrt(variance_along(covariance, normal)) + registration_error);
   const double d = determinant(covariance);
   if (!(d > 0)) return NAN;
   return std::sqrt(kChiSquared3 / variance_along((1 / d) * transpose(cofactor(covariance)), normal));

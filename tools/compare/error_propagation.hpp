@@ -26,9 +26,9 @@ enum class PropagationRule {
 
 /// One side's errors, in the frame of its points.
 struct SideErrors {
-  ScannerOptions scanner;                    ///< without positions: a simulation, of which `floor` is all that is known
-  std::vector<std::uint16_t> scanner_of;     ///< index of its position, per point; empty: the first
-  double floor = 0;                          ///< m: isotropic, shared by all points of a cylinder
+  ScannerOptions scanner;                 ///< without positions: a simulation, of which `floor` is all that is known
+  std::vector<std::uint16_t> scanner_of;  ///< index of its position, per point; empty: the first
+  double floor = 0;                       ///< m: isotropic, shared by all points of a cylinder
 };
 
 /// Covariance of the 12 numbers a11 a12 ... a33 tx ty tz, row by row.

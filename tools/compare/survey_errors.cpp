@@ -44,8 +44,7 @@ SideErrors side_errors(const PointCloud& cloud, const ScannerOptions& scanner, d
 
 AlignmentCovariance alignment_of(const AlignmentOptions& options) {
   constexpr double kDegree = std::numbers::pi / 180;
-  if (options.covariance.empty())
-    return rigid_alignment(options.sigma_translation, kDegree * options.sigma_rotation);
+  if (options.covariance.empty()) return rigid_alignment(options.sigma_translation, kDegree * options.sigma_rotation);
   AlignmentCovariance C{};
   if (options.covariance.size() != C.size() || options.sigma_translation > 0 || options.sigma_rotation > 0)
     throw Error("compare", "alignment.covariance", std::to_string(options.covariance.size()) + " numbers",
@@ -72,8 +71,8 @@ SurveyErrors survey_errors(const CompareOptions& options, const PointCloud& simu
     throw Error("compare", "detection = \"errors\" and an average", std::string(name_of(m.average)), "\"mean\"");
   SurveyErrors errors;
   errors.rule = published ? PropagationRule::py4dgeo : PropagationRule::mean;
-  errors.simulated = side_errors(simulated, m.scanner_simulated, options.simulated_spacing / std::sqrt(12.0), origin,
-                                 "simulated");
+  errors.simulated =
+      side_errors(simulated, m.scanner_simulated, options.simulated_spacing / std::sqrt(12.0), origin, "simulated");
   errors.observed = side_errors(observed, m.scanner_observed, 0, origin, "observed");
   errors.alignment = alignment_of(m.alignment);
   const Box3 box = bounds(local);
@@ -83,15 +82,19 @@ SurveyErrors survey_errors(const CompareOptions& options, const PointCloud& simu
 
 std::string in_words(const SurveyErrors& errors) {
   const std::string shared =
-      "Levels of detection by propagated errors (M3C2-EP, Winiwarter et al. 2021): C_i the covariance of a point by range, "
+      "Levels of detection by propagated errors (M3C2-EP, Winiwarter et al. 2021): C_i the covariance of a point by "
+      "range, "
       "azimuth and elevation, C_a that of the alignment of the observed side. The sign of a distance stays observed - "
       "simulated. ";
   if (errors.rule == PropagationRule::mean)
     return shared +
-           "S = sum C_i / n^2 of either side + C_a at the observed mean; of a simulation spacing^2 / 12 along every axis "
-           "in place of the first; lod = 1.96 (sqrt(n^T S n) + registration_error). sigma_*: sqrt(n^T . n) of each part. ";
+           "S = sum C_i / n^2 of either side + C_a at the observed mean; of a simulation spacing^2 / 12 along every "
+           "axis "
+           "in place of the first; lod = 1.96 (sqrt(n^T S n) + registration_error). sigma_*: sqrt(n^T . n) of each "
+           "part. ";
   return shared +
-         "As coded in py4dgeo, which has the opposite sign: S = sum C_i / n (not n^2) of either side + mean of C_a, means "
+         "As coded in py4dgeo, which has the opposite sign: S = sum C_i / n (not n^2) of either side + mean of C_a, "
+         "means "
          "weighted by C_i^-1, variance of a range s^2 + 1e-6 s r^2, lod = sqrt(7.8147 / (n^T S^-1 n)), "
          "registration_error not used. ";
 }

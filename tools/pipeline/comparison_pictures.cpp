@@ -92,14 +92,47 @@ void add_points(const Comparison& result, const std::string& title, Album& album
   album.add("histogram", draw_histogram({distance->values, lod ? mean_of(lod->values) : 0, title, "distance", ""}));
 }
 
+/// The plan part of three scalars; empty if there are none.
+std::vector<Vec2> plan_vectors(const PointCloud& cloud, const std::string& x, const std::string& y) {
+  const PointScalar *dx = find_scalar(cloud, x), *dy = find_scalar(cloud, y);
+  std::vector<Vec2> vectors;
+  for (std::size_t i = 0; dx && dy && i < cloud.size(); ++i) vectors.push_back({dx->values[i], dy->values[i]});
+  return vectors;
+}
+
+std::string title_of(const ComparisonReport& report) {
+  return report.name + ": " + report.sides.observed + " against " + report.sides.simulated + " (" + report.method + ")";
+}
+
 }  // namespace
+
+std::vector<std::filesystem::path> write_vector_pictures(const std::filesystem::path& stem, const Comparison& result,
+                                                         const Heightfield& ground) {
+  Album album(stem);
+  const SideNames& sides = result.report.sides;
+  VectorMap map{&ground,
+                {},
+                plan_vectors(result.cloud, "dx", "dy"),
+                plan_vectors(result.cloud, "simulated_dx", "simulated_dy"),
+                title_of(result.report),
+                remarks_of(result.report)};
+  for (const Vec3& p : result.cloud.positions) map.at.push_back({p[0], p[1]});
+  map.simulated_name = sides.simulated;
+  map.observed_name = map.simulated.empty() ? sides.simulated + " to " + sides.observed : sides.observed;
+  album.add("vectors", draw_vector_map(map));
+  const PointScalar* distance = find_scalar(result.cloud, "distance");
+  if (std::any_of(distance->values.begin(), distance->values.end(), [](double d) { return d == d; }))
+    album.add("histogram",
+              draw_histogram({distance->values, 0, map.title,
+                              map.simulated.empty() ? "length of vectors" : "length of observed − simulated", ""}));
+  return album.files;
+}
 
 std::vector<std::filesystem::path> write_pictures(const std::filesystem::path& stem, const Comparison& result,
                                                   const Heightfield* ground, const Section* section) {
   Album album(stem);
   const SideNames& sides = result.report.sides;
-  const std::string title =
-      result.report.name + ": " + sides.observed + " against " + sides.simulated + " (" + result.report.method + ")";
+  const std::string title = title_of(result.report);
   const std::string label = sides.observed + " − " + sides.simulated;
   if (!result.cloud.empty()) add_points(result, title, album);
   const Heightfield* difference = find_raster(result, "difference");

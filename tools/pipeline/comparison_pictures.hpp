@@ -9,6 +9,10 @@
 
 namespace scarp {
 
+/// STEM_vectors.png and STEM_histogram.png of displacement vectors, over `ground`.
+std::vector<std::filesystem::path> write_vector_pictures(const std::filesystem::path& stem, const Comparison& result,
+                                                         const Heightfield& ground);
+
 /// Draws what a comparison found next to its numbers: STEM_difference.png and STEM_histogram.png; with footprints
 /// STEM_footprint.png; with a section STEM_section.png. Distances of points are drawn as a map too, each cell the mean
 /// of those in it.

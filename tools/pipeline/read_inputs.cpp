@@ -124,7 +124,7 @@ std::vector<std::filesystem::path> input_files(const Scenario& scenario) {
       if_is<BelowRule>(rule, [&](const BelowRule& below) { files.emplace_back(below.below.path); });
   }
   for (const CompareOptions& comparison : scenario.compare)
-    for (const auto& file : {comparison.m3c2.core_points, comparison.dod.stable.mask})
+    for (const auto& file : {comparison.m3c2.core_points, comparison.dod.stable.mask, comparison.displacement.targets})
       if (file) files.emplace_back(file->path);
   if (scenario.water_table && scenario.water_table->surface) files.emplace_back(scenario.water_table->surface->path);
   for (const ShakingOptions& shaking : scenario.shaking) files.emplace_back(shaking.file.path);

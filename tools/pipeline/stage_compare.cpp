@@ -13,9 +13,11 @@
 #include "solver/model/write_whole.hpp"
 #include "solver/store/frame_store.hpp"
 #include "tools/compare/compare.hpp"
+#include "tools/compare/displacement.hpp"
 #include "tools/compare/per_point_csv.hpp"
 #include "tools/compare/tolerance.hpp"
 #include "tools/pipeline/compared_cloud.hpp"
+#include "tools/pipeline/compared_vectors.hpp"
 #include "tools/pipeline/comparison_pictures.hpp"
 #include "tools/pipeline/info.hpp"
 #include "tools/pipeline/made_from.hpp"
@@ -89,6 +91,16 @@ void write_comparison(const std::filesystem::path& stem, SurfaceComparison& resu
   if (draw)
     write_pictures(stem, result.comparison, result.ground ? &*result.ground : nullptr,
                    result.section ? &*result.section : nullptr);
+}
+
+Comparison compare_vectors(const std::filesystem::path& stem, const DisplacementSources& sources,
+                           const SideNames& names, const CompareOptions& options, int threads) {
+  Comparison result = compare_displacement(sources, options, threads);
+  result.report.sides = names;
+  const bool draw = can_draw(options, result.report);
+  write_numbers(stem, result);
+  if (draw) write_vector_pictures(stem, result, ground_of(sources, result.cloud));
+  return result;
 }
 
 bool by_rasters(const CompareOptions& options) {
@@ -202,6 +214,38 @@ ComparisonReport compare_as_rasters(const Project& project, const CompareOptions
   return result.comparison.report;
 }
 
+ComparisonReport compare_as_vectors(const Project& project, const CompareOptions& options, const SiteFrame& site) {
+  std::variant<PointCloud, Frame> first;
+  if (options.of_frame())
+    first = frame_of(project, options);
+  else
+    first = read_cleaned_scan(project, options.simulated, site);
+  std::optional<PointCloud> before;
+  if (options.before) before = read_cleaned_scan(project, *options.before, site);
+  const DisplacementSources sources =
+      vector_sources(std::move(first), read_cleaned_scan(project, options.observed, site), std::move(before), options,
+                     HeightUnit::metre);
+  return compare_vectors(project.artefacts.compared(options.name, ""), sources, names_of_sides(options), options,
+                         project.threads)
+      .report;
+}
+
+ComparisonReport compare_files_as_vectors(const DirectComparison& request, int threads) {
+  std::variant<PointCloud, Frame> first;
+  if (request.simulated.extension() == ".hdf")
+    first = read_frame(request.simulated);
+  else
+    first = read_metric_cloud(request.simulated, request.height_unit);
+  std::optional<PointCloud> before;
+  if (request.options.before) before = read_metric_cloud(*request.options.before, request.height_unit);
+  const DisplacementSources sources =
+      vector_sources(std::move(first), read_metric_cloud(request.observed, request.height_unit), std::move(before),
+                     request.options, request.height_unit);
+  return compare_vectors(request.output / request.options.name, sources,
+                         names_of_sides(request.simulated, request.observed), request.options, threads)
+      .report;
+}
+
 ComparisonReport compare_files_as_rasters(const DirectComparison& request, int threads) {
   SurfaceSources sources{read_surface_source(request.simulated, request.height_unit),
                          read_surface_source(request.observed, request.height_unit),
@@ -232,8 +276,10 @@ void compare_stage(Project& project, Outcome& outcome) {
   const SiteFrame site = read_site(project);
   Json reports = Json::array();
   for (const CompareOptions& options : project.scenario.compare) {
-    const ComparisonReport report =
-        by_rasters(options) ? compare_as_rasters(project, options, site) : compare_as_clouds(project, options, site);
+    const ComparisonReport report = options.method == CompareMethod::displacement
+                                        ? compare_as_vectors(project, options, site)
+                                    : by_rasters(options) ? compare_as_rasters(project, options, site)
+                                                          : compare_as_clouds(project, options, site);
     reports.push_back(to_json(report));
     project.reporter->note(in_one_line(report));
     for (const std::string& warning : report.warnings) project.reporter->note("warning: " + warning);
@@ -250,12 +296,15 @@ ComparisonReport compare_files(const DirectComparison& request, int threads, Out
   std::vector<std::filesystem::path> inputs{request.simulated, request.observed};
   if (request.options.m3c2.core_points) inputs.emplace_back(request.options.m3c2.core_points->path);
   if (request.options.before) inputs.emplace_back(*request.options.before);
+  if (request.options.displacement.targets) inputs.emplace_back(request.options.displacement.targets->path);
   if (request.options.dod.stable.mask) inputs.emplace_back(request.options.dod.stable.mask->path);
-  for (const char* extension : {".csv", ".json", ".las", "_difference.asc", "_level_of_detection.asc", "_footprint.asc",
-                                "_section.csv", "_difference.png", "_histogram.png", "_footprint.png", "_section.png"})
+  for (const char* extension :
+       {".csv", ".json", ".las", "_difference.asc", "_level_of_detection.asc", "_footprint.asc", "_section.csv",
+        "_difference.png", "_histogram.png", "_footprint.png", "_section.png", "_vectors.png"})
     for (const std::filesystem::path& input : inputs) refuse_to_overwrite(input, stem + extension);
-  if (by_rasters(request.options)) {
-    const ComparisonReport report = compare_files_as_rasters(request, threads);
+  if (by_rasters(request.options) || request.options.method == CompareMethod::displacement) {
+    const ComparisonReport report = by_rasters(request.options) ? compare_files_as_rasters(request, threads)
+                                                                : compare_files_as_vectors(request, threads);
     within_tolerance(report, request.options.tolerance, &outcome.exceeded);
     return report;
   }

@@ -189,4 +189,94 @@ Picture draw_footprint_map(const FootprintMap& map) {
   return std::move(sheet.picture);
 }
 
+namespace {
+
+constexpr Rgb8 kObservedArrow{24, 62, 120}, kSimulatedArrow{200, 88, 32};
+
+/// An arrow between two pixels, or a dot where it would be shorter than that.
+void draw_arrow(Canvas& canvas, Point2 from, Point2 to, const Rgb8& colour) {
+  constexpr double kShaft = 2.2, kHead = 9;
+  const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+  if (length < kShaft) {
+    canvas.fill(PixelRect{pixels(from.x) - 1, pixels(from.y) - 1, 3, 3}, colour);
+    return;
+  }
+  const double ux = dx / length, uy = dy / length, head = std::min(kHead, 0.6 * length), half = 0.42 * head;
+  const Point2 neck{to.x - head * ux, to.y - head * uy};
+  canvas.line(from, neck, kShaft, colour);
+  canvas.fill({to, {neck.x - half * uy, neck.y + half * ux}, {neck.x + half * uy, neck.y - half * ux}}, colour);
+}
+
+void draw_cross(Canvas& canvas, Point2 at) {
+  constexpr double kArm = 3.5;
+  canvas.line({at.x - kArm, at.y - kArm}, {at.x + kArm, at.y + kArm}, 1.6, kFaint);
+  canvas.line({at.x - kArm, at.y + kArm}, {at.x + kArm, at.y - kArm}, 1.6, kFaint);
+}
+
+bool known(const Vec2& v) { return std::isfinite(v[0]) && std::isfinite(v[1]); }
+
+/// Metres of ground that a metre of displacement is drawn as.
+double exaggeration(const VectorMap& map) {
+  std::vector<double> sizes;
+  for (const auto* vectors : {&map.observed, &map.simulated})
+    for (const Vec2& v : *vectors)
+      if (known(v)) sizes.push_back(std::hypot(v[0], v[1]));
+  if (sizes.empty()) return 1;
+  const auto rank = sizes.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), rank, sizes.end());
+  const Heightfield& ground = *map.ground;
+  const double area = ground.columns * ground.cell * ground.rows * ground.cell;
+  const double apart = std::sqrt(area / static_cast<double>(std::max<std::size_t>(1, map.at.size())));
+  return *rank > 0 ? apart / *rank : 1;
+}
+
+}  // namespace
+
+Picture draw_vector_map(const VectorMap& map) {
+  if (!map.ground || map.ground->columns < 1) throw Error("render", "a map without ground");
+  const Heightfield& ground = *map.ground;
+  Sheet sheet(ground, 20);
+  sheet.paint([&](int column, int row, int, int) {
+    const double light = std::isnan(ground.at(column, row)) ? 1.04 : hillshade(&ground, column, row);
+    return lit({226, 225, 221}, light);
+  });
+  Canvas canvas(sheet.picture);
+  const double scale = exaggeration(map);
+  const auto pixel = [&](double x, double y) {
+    return Point2{sheet.camera.x + (x - sheet.camera.centre[0]) * sheet.camera.scale,
+                  sheet.camera.y - (y - sheet.camera.centre[1]) * sheet.camera.scale};
+  };
+  std::size_t unknown = 0;
+  const auto draw = [&](const std::vector<Vec2>& vectors, const Rgb8& colour) {
+    for (std::size_t i = 0; i < vectors.size(); ++i)
+      if (known(vectors[i]) && known(map.at[i]))
+        draw_arrow(canvas, pixel(map.at[i][0], map.at[i][1]),
+                   pixel(map.at[i][0] + scale * vectors[i][0], map.at[i][1] + scale * vectors[i][1]), colour);
+  };
+  for (std::size_t i = 0; i < map.at.size(); ++i)
+    if (!known(map.observed[i]) && known(map.at[i])) {
+      draw_cross(canvas, pixel(map.at[i][0], map.at[i][1]));
+      ++unknown;
+    }
+  draw(map.simulated, kSimulatedArrow);
+  draw(map.observed, kObservedArrow);
+  sheet.frame(canvas, map.title, map.remarks);
+
+  const double f = sheet.layout.font, left = sheet.layout.column.left + 0.9 * f;
+  double y = sheet.layout.column.top;
+  draw_swatch(canvas, sheet.layout, y, kObservedArrow, map.observed_name);
+  if (!map.simulated.empty()) draw_swatch(canvas, sheet.layout, y += 1.6 * f, kSimulatedArrow, map.simulated_name);
+  // The longest round length that fits the key.
+  const double most = sheet.layout.column.width - 3 * f;
+  const ScaleBar bar = choose_scale_bar(scale * sheet.camera.scale, most);
+  y += 3.4 * f;
+  draw_arrow(canvas, {left, y}, {left + bar.pixels, y}, kInk);
+  canvas.text(bar.label + " of displacement", {left, y + 1.5 * f}, f, kInk);
+  if (unknown > 0) {
+    draw_cross(canvas, {left + 0.4 * f, y + 3.2 * f});
+    canvas.text("not known", {left + 1.6 * f, y + 3.55 * f}, f, kInk);
+  }
+  return std::move(sheet.picture);
+}
+
 }  // namespace scarp

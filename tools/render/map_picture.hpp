@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "solver/model/heightfield.hpp"
 #include "solver/model/image.hpp"
@@ -32,5 +33,17 @@ struct FootprintMap {
   std::string simulated = "simulated", observed = "observed";  ///< what the two are called
 };
 Picture draw_footprint_map(const FootprintMap& map);
+
+/// Displacements in plan as arrows over shaded ground, all drawn to one scale, which the key shows: so that the 95th
+/// percentile is as long as two places are apart. Places whose vector is NaN are crosses.
+struct VectorMap {
+  const Heightfield* ground = nullptr;    ///< says what the map covers; NaN where nothing is known
+  std::vector<Vec2> at;                   ///< m, in the frame of the ground
+  std::vector<Vec2> observed, simulated;  ///< m; `simulated` may be empty
+  std::string title, remarks;
+  std::string simulated_name = "simulated", observed_name = "observed";
+};
+/// @throws Error ("render") without ground
+Picture draw_vector_map(const VectorMap& map);
 
 }  // namespace scarp

@@ -134,7 +134,8 @@ class Checker {
       const bool needed = key == "domain" || key == "materials" || key == "bodies" || key == "solver";
       const bool goes_without = key == "title" || key == "scans" || key == "compare";
       if (!only_surveys && needed && !root_.find(key)) refuse_missing(root_, key, spec, "");
-      if (only_surveys && !goes_without && root_.find(key))
+      const Node* given = root_.find(key);
+      if (only_surveys && !goes_without && given && !given->children.empty())
         fail({std::string(key)},
              "this scenario compares scans only and has no bodies, which \"" + std::string(key) + "\" is about",
              "title, scans, compare");

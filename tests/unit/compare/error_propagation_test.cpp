@@ -46,7 +46,8 @@ std::array<double, 12> transformation(const AlignmentCovariance& C, Random& rand
 Vec3 moved(const Vec3& p, const Vec3& centre, const std::array<double, 12>& change) {
   const Vec3 d = p - centre;
   Vec3 result = p;
-  for (std::size_t i = 0; i < 3; ++i) result[i] += dot({change[3 * i], change[3 * i + 1], change[3 * i + 2]}, d) + change[9 + i];
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] += dot({change[3 * i], change[3 * i + 1], change[3 * i + 2]}, d) + change[9 + i];
   return result;
 }
 
@@ -103,7 +104,8 @@ struct Scene {
   }
 
   Mat3 covariance() const {
-    const PropagatedMean a = propagate(first, all(first), errors, false), b = propagate(second, all(second), errors, true);
+    const PropagatedMean a = propagate(first, all(first), errors, false),
+                         b = propagate(second, all(second), errors, true);
     Mat3 sum = a.measured;
     for (std::size_t k = 0; k < 9; ++k) sum[k] += b.measured[k] + b.aligned[k];
     return sum;
@@ -275,9 +277,9 @@ TEST(ErrorPropagation, GivesTheLevelsOfDetectionOfAComparison) {
   const Comparison result = compare_m3c2(first, second, &core, options, 1);
   const double sigma = std::sqrt(variance_along(scene.covariance(), scene.n));
   EXPECT_NEAR(value(result, "lod"), 1.96 * sigma, 1e-12);
-  EXPECT_NEAR(std::hypot(value(result, "sigma_simulated"), value(result, "sigma_observed"),
-                         value(result, "sigma_alignment")),
-              sigma, 1e-12);
+  EXPECT_NEAR(
+      std::hypot(value(result, "sigma_simulated"), value(result, "sigma_observed"), value(result, "sigma_alignment")),
+      sigma, 1e-12);
   options.registration_error = 0.01;
   EXPECT_NEAR(value(compare_m3c2(first, second, &core, options, 1), "lod"), 1.96 * (sigma + 0.01), 1e-12);
   // A simulation is known to its spacing, whatever was scanned.
