@@ -38,8 +38,9 @@ struct DisplacementOptions {
            .unit = "m",
            .at_least = 0});
     v("largest_sigma", largest_sigma,
-      Spec{.text = "standard deviation of a vector in its worst direction, above which the ground is too smooth to tell "
-                   "how a block moved; 0: a tenth of max_distance",
+      Spec{.text =
+               "standard deviation of a vector in its worst direction, above which the ground is too smooth to tell "
+               "how a block moved; 0: a tenth of max_distance",
            .unit = "m",
            .at_least = 0});
   }

@@ -18,15 +18,15 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 namespace {
 
-constexpr std::size_t kPlane = 12;    ///< points of the plane through a counterpart
+constexpr std::size_t kPlane = 12;  ///< points of the plane through a counterpart
 constexpr int kMostIterations = 100;
-constexpr double kStill = 0.1;        ///< standard deviations: a smaller step ends the search
-constexpr int kFull = 20;             ///< iterations with full steps; then shorter ones, lest counterparts alternate
-constexpr double kExact = 1e-9;       ///< of the block's size: so does one that is nothing
-constexpr double kSingular = 1e-12;   ///< eigenvalues below this share of the largest say nothing
-constexpr double kOutlier = 3;        ///< robust standard deviations
-constexpr double kLine = 1e-6;        ///< squared width over squared length of points on a line
-constexpr double kSeen = 2;           ///< times what the noise of normals seems to see: less is nothing
+constexpr double kStill = 0.1;       ///< standard deviations: a smaller step ends the search
+constexpr int kFull = 20;            ///< iterations with full steps; then shorter ones, lest counterparts alternate
+constexpr double kExact = 1e-9;      ///< of the block's size: so does one that is nothing
+constexpr double kSingular = 1e-12;  ///< eigenvalues below this share of the largest say nothing
+constexpr double kOutlier = 3;       ///< robust standard deviations
+constexpr double kLine = 1e-6;       ///< squared width over squared length of points on a line
+constexpr double kSeen = 2;          ///< times what the noise of normals seems to see: less is nothing
 
 Eigen::Vector3d eigen(const Vec3& v) { return {v[0], v[1], v[2]}; }
 Vec3 plain(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
@@ -74,7 +74,8 @@ class BlockFit {
       if (pairs_.size() < 7) return false;
       sum_up();
       const Vector6 step = solve();
-      const bool still = step.norm() < kExact * size_ || step.dot(information_ * step) < 6 * kStill * kStill * variance();
+      const bool still =
+          step.norm() < kExact * size_ || step.dot(information_ * step) < 6 * kStill * kStill * variance();
       move(std::min(1.0, static_cast<double>(kFull) / iterations) * step);
       if (still) return true;
     }
@@ -97,8 +98,7 @@ class BlockFit {
     Eigen::Matrix<double, 3, 6> at_place;
     at_place << 0, arm[2], -arm[1], size_, 0, 0, -arm[2], 0, arm[0], 0, size_, 0, arm[1], -arm[0], 0, 0, 0, size_;
     at_place /= size_;
-    const Eigen::Matrix3d covariance =
-        variance() * at_place * inverse * at_place.transpose();
+    const Eigen::Matrix3d covariance = variance() * at_place * inverse * at_place.transpose();
     for (int a = 0; a < 3; ++a) motion.sigma[static_cast<std::size_t>(a)] = std::sqrt(covariance(a, a));
     motion.worst_sigma =
         std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly).eigenvalues()[2]);

@@ -54,10 +54,10 @@ class MovedSurface {
   /// standard deviation. A counterpart counts if the point is over its plane, no farther from it along the plane than
   /// the points that it was laid through, and if it is not farther from the plane than 3 robust standard deviations.
   ///
-  /// With residuals e_i and derivatives J_i of m counterparts, and B what the noise of the normals n_i alone would add to
-  /// J^T J (their variance by the fit of the plane), the covariance of rotation and translation is sum(e^2) / (m - 6)
-  /// (J^T J - B)^-1, and that of the vector follows from it. Where J^T J is not above 2 B in every direction, as on a
-  /// plane that slides in itself, the motion is undetermined. It takes errors as independent from point to point.
+  /// With residuals e_i and derivatives J_i of m counterparts, and B what the noise of the normals n_i alone would add
+  /// to J^T J (their variance by the fit of the plane), the covariance of rotation and translation is sum(e^2) / (m -
+  /// 6) (J^T J - B)^-1, and that of the vector follows from it. Where J^T J is not above 2 B in every direction, as on
+  /// a plane that slides in itself, the motion is undetermined. It takes errors as independent from point to point.
   /// @param place  whose displacement is wanted; nullptr: that of the mean of the points
   BlockMotion motion_of(const std::vector<Vec3>& block, const MotionSettings& settings,
                         const Vec3* place = nullptr) const;

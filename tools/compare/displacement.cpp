@@ -190,8 +190,10 @@ MeasureGroup observed_group(const Vectors& vectors, const CompareOptions& option
   }
   const MotionSettings settings = settings_of(options);
   group.convention +=
-      "Rigid motion of each block by iterated closest points, point to plane: counterparts within reach, planes through "
-      "12 neighbours, 3 robust standard deviations; covariance = sum e^2 / (m - 6) (J^T J)^-1 of m counterparts, errors "
+      "Rigid motion of each block by iterated closest points, point to plane: counterparts within reach, planes "
+      "through "
+      "12 neighbours, 3 robust standard deviations; covariance = sum e^2 / (m - 6) (J^T J)^-1 of m counterparts, "
+      "errors "
       "independent. Not known (null, NaN) where flags, a sum, are not 0: 1 few_points, 2 little_overlap, 4 "
       "large_residual, 8 undetermined (worst standard deviation above largest_sigma), 16 not_converged.";
   for (const Measure& measure :
@@ -234,23 +236,24 @@ MeasureGroup simulated_group(const Vectors& observed, const std::vector<Vec3>& s
   for (double d : sizes) squares += d * d;
   std::sort(lengthening.begin(), lengthening.end());
   std::sort(angles.begin(), angles.end());
-  return {"simulated_vectors",
-          "Simulated displacement at the same places: linear in place through the 20 material points nearest by their "
-          "reference positions; difference = observed - simulated. lengthening = |observed| - |simulated|; angle "
-          "between the two; scale = sum(observed . simulated) / sum(observed^2), 1 where the simulation moves as much "
-          "along the observed vectors. significant: |difference| > 1.96 (sigma along it + registration_error), of those "
-          "whose sigma is known (judged).",
-          {{"both", both},
-           {"mean_difference", as_list(mean_of(difference)), "m"},
-           {"root_mean_square", std::sqrt(squares / static_cast<double>(both)), "m"},
-           {"median_length", quantile(sizes, 0.5), "m"},
-           {"percentile_95", quantile(sizes, 0.95), "m"},
-           {"largest_length", quantile(sizes, 1), "m"},
-           {"median_lengthening", quantile(lengthening, 0.5), "m"},
-           {"median_angle", quantile(angles, 0.5), "deg"},
-           {"scale", product / observed_squares},
-           {"judged", judged},
-           {"significant", significant}}};
+  return {
+      "simulated_vectors",
+      "Simulated displacement at the same places: linear in place through the 20 material points nearest by their "
+      "reference positions; difference = observed - simulated. lengthening = |observed| - |simulated|; angle "
+      "between the two; scale = sum(observed . simulated) / sum(observed^2), 1 where the simulation moves as much "
+      "along the observed vectors. significant: |difference| > 1.96 (sigma along it + registration_error), of those "
+      "whose sigma is known (judged).",
+      {{"both", both},
+       {"mean_difference", as_list(mean_of(difference)), "m"},
+       {"root_mean_square", std::sqrt(squares / static_cast<double>(both)), "m"},
+       {"median_length", quantile(sizes, 0.5), "m"},
+       {"percentile_95", quantile(sizes, 0.95), "m"},
+       {"largest_length", quantile(sizes, 1), "m"},
+       {"median_lengthening", quantile(lengthening, 0.5), "m"},
+       {"median_angle", quantile(angles, 0.5), "deg"},
+       {"scale", product / observed_squares},
+       {"judged", judged},
+       {"significant", significant}}};
 }
 
 /// Of the row of components of a particle.
@@ -297,7 +300,8 @@ std::vector<Vec3> simulated_displacements(const Frame& frame, const std::vector<
   for (std::size_t i = 0; i < reference.size(); ++i) reference[i] = frame.positions[i] - vector_at(*u, i);
   const double reach = kReach * spacing_of(frame);
   if (!(reach > 0))
-    throw Error("compare", "the frame does not say how large its particles are", "no field", "a float field \"volume\"");
+    throw Error("compare", "the frame does not say how large its particles are", "no field",
+                "a float field \"volume\"");
   const Neighbours near(reference);
   std::vector<Vec3> found(places.size(), kNowhere);
   parallel_for(places.size(), threads, [&](std::size_t i) {

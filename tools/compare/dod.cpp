@@ -26,6 +26,20 @@ Heightfield subtract(const DodInput& input, DodReport& report) {
   return difference;
 }
 
+/// What CloudCompare calls average neighbours per cell: how full of holes a difference is.
+double average_neighbours(const Heightfield& difference) {
+  double neighbours = 0, cells = 0;
+  for (int row = 0; row < difference.rows; ++row)
+    for (int column = 0; column < difference.columns; ++column) {
+      if (std::isnan(difference.at(column, row))) continue;
+      cells += 1;
+      for (int r = std::max(0, row - 1); r <= std::min(difference.rows - 1, row + 1); ++r)
+        for (int c = std::max(0, column - 1); c <= std::min(difference.columns - 1, column + 1); ++c)
+          neighbours += (r != row || c != column) && !std::isnan(difference.at(c, r));
+    }
+  return neighbours / cells;
+}
+
 void find_bias(const DodInput& input, const DodOptions& options, Heightfield& difference, DodReport& report) {
   if (options.stable.ground == StableGround::none) return;
   report.stable =
@@ -126,6 +140,7 @@ DodResult dem_of_difference(const DodInput& input, const DodOptions& options) {
   report.factor = two_sided_factor(options.confidence);
   report.correlation_range = options.correlation_range;
   result.difference = subtract(input, report);
+  report.average_neighbours = average_neighbours(result.difference);
   find_bias(input, options, result.difference, report);
   report.shared_sigma =
       std::hypot(input.registration_error, report.bias_removed ? report.stable->bias_standard_error : 0);

@@ -37,7 +37,8 @@ struct DodReport {
   std::string name;
   RasterGrid grid;
   std::size_t cells_compared = 0, only_simulated = 0, only_observed = 0;
-  DodStatistics statistics;  ///< after removal of the bias, if it was removed
+  double average_neighbours = 0;  ///< of the 8 around a compared cell, those that are compared too
+  DodStatistics statistics;       ///< after removal of the bias, if it was removed
   std::optional<StableReport> stable;
   bool bias_removed = false;
   double sigma_simulated = 0, sigma_observed = 0;  ///< root mean squares over the cells compared, m

@@ -76,6 +76,12 @@ void add_footprint(const Heightfield& simulated, const Heightfield& observed, co
   measure(observed, overlap.both + overlap.observed_only, "observed");
 }
 
+/// Of 8 around a cell, fewer along the border.
+double neighbours_without_holes(const RasterGrid& grid) {
+  const double c = grid.columns, r = grid.rows;
+  return 2 * (r * (c - 1) + c * (r - 1) + 2 * (r - 1) * (c - 1)) / (r * c);
+}
+
 }  // namespace
 
 SurfaceComparison compare_surfaces(const SurfacePair& pair, const CompareOptions& options) {
@@ -93,6 +99,10 @@ SurfaceComparison compare_surfaces(const SurfacePair& pair, const CompareOptions
   for (MeasureGroup& group : groups_of(dod, pair.simulated.site.origin)) report.groups.push_back(std::move(group));
   result.comparison.rasters.push_back(named("difference", result.dod->difference));
   result.comparison.rasters.push_back(named("level_of_detection", result.dod->level_of_detection));
+  if (dod.average_neighbours < 7.0 / 8 * neighbours_without_holes(dod.grid))  // as CloudCompare warns
+    report.warnings.push_back("The difference is full of holes: of the 8 cells around a compared one " +
+                              shortest(std::round(10 * dod.average_neighbours) / 10) +
+                              " are compared too. Larger cells, a triangulation or fill_distance would close them.");
   if (dod.sigma_simulated == 0 && dod.sigma_observed == 0 && dod.shared_sigma == 0)
     report.warnings.push_back(
         "No uncertainty of the heights is known: every difference counts as significant. Give the uncertainties or "

@@ -13,18 +13,26 @@ namespace {
 std::int64_t count(std::size_t n) { return static_cast<std::int64_t>(n); }
 
 MeasureGroup cells_group(const DodReport& r, const Vec3& origin) {
-  return {"cells",
-          "difference = observed - simulated, in every cell where both have a height. x0 and y0: site coordinates of "
-          "the centre of the cell in the south-west.",
-          {{"columns", std::int64_t{r.grid.columns}},
-           {"rows", std::int64_t{r.grid.rows}},
-           {"cell", r.grid.cell, "m"},
-           {"x0", r.grid.x0 + origin[0], "m"},
-           {"y0", r.grid.y0 + origin[1], "m"},
-           {"compared", count(r.cells_compared)},
-           {"only_simulated", count(r.only_simulated)},
-           {"only_observed", count(r.only_observed)},
-           {"compared_area", static_cast<double>(r.cells_compared) * r.grid.area(), "m2"}}};
+  const auto share = [all = static_cast<double>(r.cells_compared + r.only_simulated + r.only_observed)](
+                         std::size_t cells) { return 100 * static_cast<double>(cells) / all; };
+  return {
+      "cells",
+      "difference = observed - simulated, in every cell where both have a height. x0 and y0: site coordinates of "
+      "the centre of the cell in the south-west. Shares are of the cells that have either height; average_neighbours "
+      "counts, of the 8 around a compared cell, those that are compared too.",
+      {{"columns", std::int64_t{r.grid.columns}},
+       {"rows", std::int64_t{r.grid.rows}},
+       {"cell", r.grid.cell, "m"},
+       {"x0", r.grid.x0 + origin[0], "m"},
+       {"y0", r.grid.y0 + origin[1], "m"},
+       {"compared", count(r.cells_compared)},
+       {"only_simulated", count(r.only_simulated)},
+       {"only_observed", count(r.only_observed)},
+       {"matching", share(r.cells_compared), "%"},
+       {"only_simulated_share", share(r.only_simulated), "%"},
+       {"only_observed_share", share(r.only_observed), "%"},
+       {"average_neighbours", r.average_neighbours},
+       {"compared_area", static_cast<double>(r.cells_compared) * r.grid.area(), "m2"}}};
 }
 
 MeasureGroup difference_group(const DodReport& r) {

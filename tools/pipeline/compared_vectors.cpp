@@ -49,14 +49,13 @@ Heightfield ground_of(const DisplacementSources& sources, const PointCloud& plac
   const PointCloud& cloud = sources.before ? *sources.before : places;
   const std::vector<Vec3> points = moved(cloud.positions, cloud.site.origin, places.site.origin);
   const Box3 box = bounds(points);
-  const double wide = box.max[0] - box.min[0], high = box.max[1] - box.min[1];
-  const double edge = std::max({wide, high, 1e-3});
-  if (sources.before) {
-    const double cell = 1.5 * std::sqrt(std::max(1e-12, wide * high) / static_cast<double>(points.size()));
-    return grid_points(points, places.site, covering_grid(points, cell), CellPolicy::mean, nullptr);
-  }
-  const Vec3 margin{0.1 * edge, 0.1 * edge, 0};
-  return empty_raster(covering_grid({box.min - margin, box.max + margin}, edge / 100), places.site);
+  const double wide = box.max[0] - box.min[0], high = box.max[1] - box.min[1], edge = std::max({wide, high, 1e-3});
+  // Room for arrows, which are drawn about as long as places are apart.
+  const double apart = std::min(0.3 * edge, std::sqrt(wide * high / static_cast<double>(places.size())) + 0.03 * edge);
+  const std::vector<Vec3> corners{box.min - Vec3{apart, apart, 0}, box.max + Vec3{apart, apart, 0}};
+  if (!sources.before) return empty_raster(covering_grid(corners, edge / 100), places.site);
+  const double cell = 1.5 * std::sqrt(std::max(1e-12, wide * high) / static_cast<double>(points.size()));
+  return grid_points(points, places.site, covering_grid(corners, cell), CellPolicy::mean, nullptr);
 }
 
 }  // namespace scarp

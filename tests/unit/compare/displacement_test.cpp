@@ -48,8 +48,8 @@ std::vector<Vec3> survey(const Motion& motion, double half, std::size_t count, d
   return points;
 }
 
-const MotionSettings kSettings{.reach = 2, .minimum_points = 30, .least_overlap = 0.8, .largest_residual = 0.1,
-                               .largest_sigma = 0.1};
+const MotionSettings kSettings{
+    .reach = 2, .minimum_points = 30, .least_overlap = 0.8, .largest_residual = 0.1, .largest_sigma = 0.1};
 
 std::vector<Vec3> within(const std::vector<Vec3>& points, double half) {
   std::vector<Vec3> inner;
@@ -191,7 +191,8 @@ const std::vector<double>& field(const Comparison& result, const std::string& na
 
 TEST(CompareDisplacement, HoldsBlocksAgainstTheSimulation) {
   // What happened turned a little more than what was simulated.
-  const Motion happened{{0, 0, 0}, {0, 0, 1}, 0.05, {0.4, 0, -0.1}}, computed{{0, 0, 0}, {0, 0, 1}, 0.04, {0.4, 0, -0.1}};
+  const Motion happened{{0, 0, 0}, {0, 0, 1}, 0.05, {0.4, 0, -0.1}},
+      computed{{0, 0, 0}, {0, 0, 1}, 0.04, {0.4, 0, -0.1}};
   DisplacementSources sources;
   const Vec3 origin{500000, 4100000, 0};
   sources.before = cloud_of(survey({}, 8, 10000, 0.005, 1));
@@ -225,7 +226,8 @@ TEST(CompareDisplacement, TakesMeasuredTargetsAsTheyAre) {
   sources.simulated = frame_of([](const Vec3&) { return Vec3{0.5, 0, 0}; });
   sources.targets = cloud_of({{1, 1, bumps(1, 1)}, {2, -3, bumps(2, -3)}, {99, 0, 0}});
   sources.targets->scalars = {{"dx", "m", {0.5, 0.7, 1}}, {"dy", "m", {0, 0, 0}}, {"dz", "m", {0, -0.1, 0}}};
-  for (const char* name : {"sigma_x", "sigma_y", "sigma_z"}) sources.targets->scalars.push_back({name, "m", {0.02, 0.02, 0.02}});
+  for (const char* name : {"sigma_x", "sigma_y", "sigma_z"})
+    sources.targets->scalars.push_back({name, "m", {0.02, 0.02, 0.02}});
   CompareOptions options = options_for(0);
   options.max_distance = 0;
   const Comparison result = compare_displacement(sources, options, 1);

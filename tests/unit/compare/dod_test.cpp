@@ -107,6 +107,16 @@ Heightfield surveyed(const RasterGrid& grid, double sigma) {
   });
 }
 
+TEST(Dod, SaysHowFullOfHolesADifferenceIs) {
+  Heightfield a{3, 3, 1, 0, 0, std::vector<double>(9, 1.0), {}}, b = a;
+  const auto neighbours = [&] { return dem_of_difference({a, b, {}}, {}).report.average_neighbours; };
+  EXPECT_DOUBLE_EQ(neighbours(), (8 + 4 * 5 + 4 * 3) / 9.0);
+  b.z[4] = NAN;  // the middle
+  EXPECT_DOUBLE_EQ(neighbours(), (4 * 4 + 4 * 2) / 8.0);
+  b.z = {NAN, NAN, NAN, NAN, 1, NAN, NAN, NAN, NAN};
+  EXPECT_EQ(neighbours(), 0);
+}
+
 TEST(Dod, AutomaticStableGroundFindsTheDatumBias) {
   const RasterGrid grid{100, 100, 1, 0, 0};
   DodOptions options;

@@ -255,6 +255,14 @@ TEST(M3c2, OneOrNoPointHasNoSpread) {
     EXPECT_TRUE(std::isnan(rows[1].detection));
     EXPECT_EQ(rows[1].flags, kNoSimulated | kNoObserved | kNoDetection);
   }
+  M3c2Settings s = golden_settings(CompareConvention::py4dgeo);
+  s.source = NormalSource::vertical;
+  s.registration_error = 0.5;
+  s.average = Average::median;
+  const auto rows = m3c2(input, s, 1);
+  EXPECT_EQ(rows[0].simulated.spread, 0) << "the interquartile range of one";
+  EXPECT_DOUBLE_EQ(rows[0].detection, 0.98);
+  EXPECT_TRUE(std::isnan(rows[1].detection));
 }
 
 TEST(M3c2, NormalsTakeTheSideAskedFor) {
@@ -273,6 +281,10 @@ TEST(M3c2, NormalsTakeTheSideAskedFor) {
   }
   s.normals.side = NormalSide::south;
   EXPECT_LT(m3c2(input, s, 1)[0].normal.direction[1], 0);
+  s.normals.side = NormalSide::north;
+  EXPECT_GT(m3c2(input, s, 1)[0].normal.direction[1], 0);
+  s.normals.side = NormalSide::none;
+  EXPECT_NEAR(std::abs(m3c2(input, s, 1)[0].normal.direction[2]), kGolden[0].normal[2], 1e-3);
 }
 
 TEST(M3c2, ASimulationResolvesNothingFinerThanItsSpacing) {
