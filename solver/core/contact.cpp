@@ -128,12 +128,15 @@ void Contact::list_candidates(ContactLink& link) {
   link.candidates.clear();
   link.masters.clear();
   const double far = reach(a, b) + margin_;
+  // What is near in the material is near anyway; and through a sheet the other side faces away, too.
+  const double joined = link.slave == link.master ? 2 * reach(a, b) : 0;
   if (distance(a.box, b.box, dimension_) > far) return;
   for (std::uint32_t i = 0; i < a.size(); ++i) {
     if (!within(b.box, a.y[i], far, dimension_)) continue;
     const auto begin = static_cast<std::uint32_t>(link.masters.size());
     b.cells.each_near(a.y[i], [&](std::uint32_t q) {
       if (dot(a.y[i] - b.y[q], a.y[i] - b.y[q]) > far * far) return;
+      if (joined > 0 && norm(a.surface.Y[i] - b.surface.Y[q]) < joined) return;
       link.masters.push_back(q);
       b.is_active[q] = 1;
     });
@@ -354,7 +357,7 @@ void Contact::push(double dt) {
 }
 
 double Contact::stable_time_step(double courant) const {
-  // The springs of a pair see the mobilities of both bodies; no pair has more than the two largest.
+  // The springs of a pair see the mobilities of both sides; no pair has more than the two largest.
   double most = 0, second = 0;
   for (const ContactBody& body : bodies_) {
     if (!body.pressed) continue;
@@ -368,6 +371,7 @@ double Contact::stable_time_step(double courant) const {
     second = std::max(second, std::min(most, square));
     most = std::max(most, square);
   }
+  if (model_.contact.self_contact) second = most;
   return most > 0 ? courant * 2 / std::sqrt(most + second) : INFINITY;
 }
 

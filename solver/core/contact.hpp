@@ -39,7 +39,7 @@ struct ContactBody {
   std::size_t size() const { return area.size(); }
 };
 
-/// The points of one body against the surface of another.
+/// The points of one body against the surface of another, or of its own where it folds.
 struct ContactLink {
   struct Candidate {
     std::uint32_t point = 0;

@@ -97,7 +97,7 @@ void Contact::size_buffers(ContactBody& body) {
 void Contact::add_links() {
   for (std::size_t a = 0; a < bodies_.size(); ++a)
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      if (a == b || !bodies_[b].total) continue;
+      if (!bodies_[b].total || (a == b && !model_.contact.self_contact)) continue;
       ContactLink link;
       link.slave = a;
       link.master = b;

@@ -28,7 +28,7 @@ struct ContactPairOptions {
 
   template <class V>
   void describe(V&& v) {
-    v("bodies", bodies, Spec{.text = "names of two bodies"});
+    v("bodies", bodies, Spec{.text = "names of two bodies, or of one twice for where it touches itself"});
     v("materials", materials, Spec{.text = "instead: names of two materials, or of one twice; bodies come first"});
     v("friction", friction, Spec{.text = "their Coulomb coefficient", .at_least = 0, .required = true});
     v("adhesion", adhesion, Spec{.text = "their adhesion; default: contact.adhesion", .unit = "Pa", .at_least = 0});
@@ -40,6 +40,7 @@ struct ContactOptions {
   double friction = 0;
   double adhesion = 0;
   double stiffness = 4;
+  bool self_contact = false;
   std::vector<ContactPairOptions> pairs;
 
   template <class V>
@@ -64,6 +65,10 @@ struct ContactOptions {
                "of the springs: pressure per depth, as a multiple of the P-wave modulus of the softer body over the "
                "spacing of the finer one's particles",
            .above = 0});
+    v("self_contact", self_contact,
+      Spec{.text =
+               "whether total-Lagrangian bodies touch themselves where they fold; parts within four spacings of their "
+               "particles of each other in the reference configuration do not"});
     v("pairs", pairs, Spec{.text = "pairs with a friction of their own"});
   }
 };

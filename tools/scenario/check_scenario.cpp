@@ -287,8 +287,9 @@ class Checker {
     for (std::size_t k = 0; k < 2; ++k)
       check_reference(steps + key + std::to_string(k), names[k], of_bodies ? "body" : "material",
                       of_bodies ? names_of(scenario_.bodies) : material_names());
-    if (of_bodies && names[0] == names[1])
-      fail(steps + key, path_of(steps + key) + ": a body does not meet itself", "two bodies");
+    if (of_bodies && names[0] == names[1] && !scenario_.contact.self_contact)
+      fail(steps + key, path_of(steps + key) + ": a body does not meet itself",
+           "two bodies, or contact.self_contact = true");
   }
 
   void check_load(std::size_t i) const {

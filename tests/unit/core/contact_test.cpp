@@ -220,6 +220,51 @@ TEST(ContactFace, StopsABodyThatComesToIt) {
   }
 }
 
+/// The prongs of a fork swing towards each other, in the middle between them.
+double farthest_beyond_the_middle(bool self_contact, int dimension, BackEnd form, HistorySample& last,
+                                  double& energy_error) {
+  Model model = test::empty_model({0, 0, 0}, {2, 1.4, dimension == 3 ? 0.3 : 0}, 0.1);
+  const double middle = 0.7;
+  test::seed_body(
+      model, "fork", NeoHookean{{1000, 1e5, 0.3}}, 2,
+      [=](const Vec3& X) { return X[0] < 0.4 || std::abs(X[1] - middle) > 0.2; },
+      [=](const Vec3& X) {
+        return Vec3{0, X[0] < 0.4 ? 0 : X[1] < middle ? 1. : -1., 0};
+      });
+  model.contact.method = ContactMethod::penalty;
+  model.contact.self_contact = self_contact;
+  SolverOptions options = test::solver(0.5, {0, 0, 0}, 0.2);
+  options.back_end = form;
+  test::RecordingSink sink;
+  double farthest = -1;
+  sink.on_frame = [&](const Model& m, double) {
+    for (std::size_t p = 0; p < m.particles.size(); ++p) {
+      const bool lower = m.particles.reference_position[p][1] < middle;
+      const double beyond = (m.particles.position[p][1] - middle) * (lower ? 1 : -1);
+      if (m.particles.reference_position[p][0] > 0.4) farthest = std::max(farthest, beyond);
+    }
+  };
+  const RunReport report = run(model, options, test::output(0.02, 0.02), sink, 1);
+  EXPECT_FALSE(report.failed) << report.failure.what;
+  last = report.last;
+  energy_error = report.largest_energy_error / report.first.total;
+  return farthest;
+}
+
+TEST(SelfContact, KeepsAForkFromPassingThroughItself) {
+  for (int dimension : {2, 3})
+    for (BackEnd form : {BackEnd::nodal, BackEnd::particle_state}) {
+      HistorySample last;
+      double energy_error = 0;
+      EXPECT_GT(farthest_beyond_the_middle(false, dimension, form, last, energy_error), 0.05);
+      EXPECT_LT(farthest_beyond_the_middle(true, dimension, form, last, energy_error), 0);
+      EXPECT_LT(energy_error, 0.02);
+      EXPECT_NEAR(norm(last.momentum), 0, 1e-9);
+      ASSERT_EQ(last.contact_force.size(), 1u);
+      EXPECT_NEAR(norm(last.contact_force[0]), 0, 1e-9) << "what a body does to itself sums to nothing";
+    }
+}
+
 std::string refusal(Model& model, const SolverOptions& options) {
   test::RecordingSink sink;
   try {
