@@ -13,9 +13,9 @@ struct BoundaryOf {
   TriangleMesh operator()(const MeshSolid& solid) const { return solid.mesh; }
   TriangleMesh operator()(const BoxSolid& solid) const {
     const Vec3 &low = solid.bounds.min, &high = solid.bounds.max;
-    return dimension == 3 ? box_mesh(solid.bounds)
-                          : prism_mesh({{low[0], low[1]}, {high[0], low[1]}, {high[0], high[1]}, {low[0], high[1]}},
-                                       spacing);
+    return dimension == 3
+               ? box_mesh(solid.bounds)
+               : prism_mesh({{low[0], low[1]}, {high[0], low[1]}, {high[0], high[1]}, {low[0], high[1]}}, spacing);
   }
   TriangleMesh operator()(const BallSolid& solid) const {
     const double sagitta = 0.002 * spacing;

@@ -15,6 +15,10 @@ namespace {
 /// Surfaces press where they face each other, not where a point is beside a rim: cosine between the normals.
 constexpr double kFacing = -0.2;
 
+/// Share of their stable step that springs can do with: they are a means, whose waves nobody follows. Not where
+/// updated-Lagrangian bodies meet them, as what is lost then grows with the step.
+constexpr double kLeastCourant = 0.25;
+
 double distance(const Box3& a, const Box3& b, int dimension) {
   double square = 0;
   for (int i = 0; i < dimension; ++i) {
@@ -30,6 +34,17 @@ bool within(const Box3& box, const Vec3& x, double margin, int dimension) {
   return true;
 }
 
+/// S += wd (x) d.
+void add_square(Sym6& S, const Vec3& wd, const Vec3& d) {
+  S[0] += wd[0] * d[0], S[1] += wd[1] * d[1], S[2] += wd[2] * d[2];
+  S[3] += wd[0] * d[1], S[4] += wd[1] * d[2], S[5] += wd[0] * d[2];
+}
+
+Vec3 times(const Sym6& S, const Vec3& a) {
+  return {S[0] * a[0] + S[3] * a[1] + S[5] * a[2], S[3] * a[0] + S[1] * a[1] + S[4] * a[2],
+          S[5] * a[0] + S[4] * a[1] + S[2] * a[2]};
+}
+
 }  // namespace
 
 /// A point and the other body's surface.
@@ -38,72 +53,78 @@ struct Contact::Touch {
   Vec3 n{0, 0, 0};       ///< of the other body, outward
   double stiffness = 0;  ///< N/m
   double weight = 0;     ///< sum of the masters' weights
+  Vec3 first{0, 0, 0};   ///< sum of weight times d, from the point to the master, m
+  Sym6 second{};         ///< of weight times d (x) d, m2
   std::uint32_t nearest = 0;
 };
 
 void Contact::update() {
-  if (lists_hold())
-    for (ContactBody& body : bodies_) locate(body, false);
-  else
-    make_lists();
-  for (ContactBody& body : bodies_) {
-    body.pressed = false;
-    for (std::uint32_t i : body.active) {
-      body.force[i] = {0, 0, 0};
-      body.stiffness[i] = 0;
-    }
+  for (ContactBody& body : bodies_) follow(body);
+  const bool lists_hold = farthest_shift(&ContactBody::list_anchor) < allowed_;
+  const bool steady = lists_hold && farthest_shift(&ContactBody::geometry_anchor) < steady_;
+  if (!steady) {
+    for (ContactLink& link : links_) find_slides(link);
+    if (!lists_hold) make_lists();
+    find_geometry();
   }
+  for (ContactBody& body : bodies_)
+    for (std::uint32_t i : body.live) body.force[i] = {0, 0, 0};
   stored_ = 0;
   std::fill(net_.begin(), net_.end(), Vec3{0, 0, 0});
-  for (ContactLink& link : links_) find_forces(link);
+  for (ContactLink& link : links_) find_forces(link, !steady);
   for (ContactFace& face : faces_) find_forces(face);
 }
 
-bool Contact::lists_hold() {
+double Contact::farthest_shift(std::vector<Vec3> ContactBody::*anchor) const {
   double shift = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    ContactBody& body = bodies_[b];
+    const ContactBody& body = bodies_[b];
     if (body.total) {
-      shift = std::max(shift, total_->contact_shift(total_index_[b], body.surface, body.anchor));
+      shift = std::max(shift, total_->contact_shift(total_index_[b], body.surface, body.*anchor));
       continue;
     }
     for (std::size_t i = 0; i < body.size(); ++i)
-      shift = std::max(shift, norm(model_.particles.position[body.begin + i] - body.anchor[i]));
+      shift = std::max(shift, norm(model_.particles.position[body.begin + i] - (body.*anchor)[i]));
   }
-  return shift < allowed_;
+  return shift;
 }
 
-/// Places and normals, of the active points or of all.
-void Contact::locate(ContactBody& body, bool all) {
-  const std::vector<std::uint32_t>& points = all ? everything_ : body.active;
-  const std::size_t count = all ? body.size() : points.size();
-  for (std::size_t k = 0; k < count; ++k) body.moved[points[k]] = body.y[points[k]];
+void Contact::set_anchor(ContactBody& body, std::vector<Vec3>& anchor) const {
   if (body.total)
-    total_->locate_contact(total_index_[static_cast<std::size_t>(&body - bodies_.data())], body.surface, points.data(),
-                           count, body.y, body.n);
-  else
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = points[k], p = body.begin + i;
-      const double J = determinant(model_.particles.deformation_gradient[p]);
-      const double edge = std::pow(J * model_.particles.reference_volume[p], 1.0 / dimension_);
-      body.y[i] = model_.particles.position[p];
-      body.radius[i] = 0.5 * edge;
-      body.area[i] = dimension_ == 2 ? edge : edge * edge;
-    }
-  for (std::size_t k = 0; k < count; ++k) body.moved[points[k]] = body.y[points[k]] - body.moved[points[k]];
+    return total_->anchor_contact(total_index_[static_cast<std::size_t>(&body - bodies_.data())], body.surface, anchor);
+  const auto first = model_.particles.position.begin() + static_cast<std::ptrdiff_t>(body.begin);
+  anchor.assign(first, first + static_cast<std::ptrdiff_t>(body.size()));
+}
+
+/// @param normals  and sizes of balls
+void Contact::locate(ContactBody& body, const std::vector<std::uint32_t>& points, std::size_t count, bool normals) {
+  if (body.total)
+    return total_->locate_contact(total_index_[static_cast<std::size_t>(&body - bodies_.data())], body.surface,
+                                  points.data(), count, body.y, normals ? &body.n : nullptr);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = points[k], p = body.begin + i;
+    body.y[i] = model_.particles.position[p];
+    if (!normals) continue;
+    const double J = determinant(model_.particles.deformation_gradient[p]);
+    const double edge = std::pow(J * model_.particles.reference_volume[p], 1.0 / dimension_);
+    body.radius[i] = 0.5 * edge;
+    body.area[i] = dimension_ == 2 ? edge : edge * edge;
+  }
+}
+
+void Contact::follow(ContactBody& body) {
+  for (std::uint32_t i : body.live) body.moved[i] = body.y[i];
+  locate(body, body.live, body.live.size(), false);
+  for (std::uint32_t i : body.live) body.moved[i] = body.y[i] - body.moved[i];
 }
 
 void Contact::make_lists() {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    ContactBody& body = bodies_[b];
-    locate(body, true);
+  for (ContactBody& body : bodies_) {
+    locate(body, everything_, body.size(), true);
     body.box = {};
     for (const Vec3& y : body.y) body.box.extend(y);
     std::fill(body.is_active.begin(), body.is_active.end(), std::uint8_t{0});
-    if (body.total)
-      total_->anchor_contact(total_index_[b], body.surface, body.anchor);
-    else
-      body.anchor = body.y;
+    set_anchor(body, body.list_anchor);
   }
   // Far bodies may come nearer by all that is between them; near ones by the margin.
   allowed_ = INFINITY;
@@ -142,8 +163,9 @@ void Contact::list_candidates(ContactLink& link) {
     });
     if (link.masters.size() == begin) continue;
     a.is_active[i] = 1;
-    link.candidates.push_back({i, begin, static_cast<std::uint32_t>(link.masters.size())});
+    link.candidates.push_back({.point = i, .begin = begin, .end = static_cast<std::uint32_t>(link.masters.size())});
   }
+  link.share_of_master.assign(link.masters.size(), 0);
 }
 
 void Contact::list_candidates(ContactFace& face) {
@@ -158,92 +180,182 @@ void Contact::list_candidates(ContactFace& face) {
   }
 }
 
-void Contact::find_forces(ContactFace& face) {
-  ContactBody& body = bodies_[face.body];
-  Touch touch;
-  touch.n[face.axis] = face.inward;
-  for (std::uint32_t i : face.candidates) {
-    touch.depth = face.inward * (face.place - body.y[i][face.axis]);
-    touch.stiffness = model_.contact.stiffness * body.area[i] * body.modulus[i] / body.spacing;
-    const double closing = last_step_ > 0 ? -dot(body.moved[i], touch.n) * longest_step_ / last_step_ : 0;
-    const bool facing = dot(body.n[i], touch.n) <= kFacing;
-    if (facing && touch.depth + std::max(0.0, closing) > 0) {
-      body.stiffness[i] += touch.stiffness;
-      body.pressed = true;
+/// Of the listed points as they stand. Springs that a point will meet in a step at most count for that step already:
+/// who enters them in a long one is thrown back by more than what he came with.
+void Contact::find_geometry() {
+  for (ContactBody& body : bodies_) {
+    locate(body, body.active, body.active.size(), true);
+    set_anchor(body, body.geometry_anchor);
+    body.pressed = false;
+    for (std::uint32_t i : body.active) {
+      body.stiffness[i] = 0;
+      if (!body.is_live[i]) body.moved[i] = {0, 0, 0};
     }
-    if (!facing || !(touch.depth > 0)) {
+    for (std::uint32_t i : body.live) body.is_live[i] = 0;
+    body.live.clear();
+  }
+  for (ContactLink& link : links_) find_geometry(link);
+  for (ContactFace& face : faces_) find_geometry(face);
+  for (ContactBody& body : bodies_)
+    for (std::uint32_t i : body.active) {
+      body.seen[i] = body.y[i];
+      body.seen_at[i] = time_;
+      if (body.is_live[i]) body.live.push_back(i);
+    }
+}
+
+void Contact::find_geometry(ContactLink& link) {
+  for (ContactLink::Candidate& candidate : link.candidates) {
+    Touch touch;
+    candidate.live = look(link, candidate, touch);
+    if (candidate.live) {
+      stand_above(link, candidate, touch);
+      // Depth and what it may grow by until the geometry is found again: both bodies may move.
+      const Vec3 motion_over =
+          motion(bodies_[link.slave], candidate.point) - motion(bodies_[link.master], touch.nearest);
+      candidate.live = touch.depth + 2 * steady_ + std::max(0.0, -dot(motion_over, touch.n)) > 0;
+    }
+    if (candidate.live) {
+      make_live(link, candidate, touch);
+      continue;
+    }
+    // What the tangential spring held when the surfaces parted went on the way down to no pressure.
+    link.touching[candidate.point] = 0;
+    link.stretch[candidate.point] = link.slid[candidate.point] = {0, 0, 0};
+  }
+}
+
+/// How far a point goes in a step at most, as it has moved since it was seen last.
+Vec3 Contact::motion(const ContactBody& body, std::uint32_t i) const {
+  const double time = time_ - body.seen_at[i];
+  return body.seen_at[i] >= 0 && time > 0 ? (longest_step_ / time) * (body.y[i] - body.seen[i]) : Vec3{0, 0, 0};
+}
+
+void Contact::make_live(ContactLink& link, ContactLink::Candidate& candidate, const Touch& touch) {
+  ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
+  candidate.n = touch.n;
+  candidate.stiffness = touch.stiffness;
+  candidate.friction = friction_of(link, candidate.point, touch.nearest);
+  a.is_live[candidate.point] = 1;
+  a.stiffness[candidate.point] += touch.stiffness;
+  a.pressed = b.pressed = true;
+  for (std::uint32_t k = candidate.begin; k < candidate.end; ++k) {
+    const double share = weights_[k - candidate.begin] / touch.weight;
+    link.share_of_master[k] = share;
+    if (share == 0) continue;
+    b.is_live[link.masters[k]] = 1;
+    b.stiffness[link.masters[k]] += share * touch.stiffness;
+  }
+}
+
+/// Before the geometry changes.
+void Contact::find_slides(ContactLink& link) {
+  const ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
+  for (const ContactLink::Candidate& candidate : link.candidates) {
+    if (!candidate.live) continue;
+    Vec3 slid = a.moved[candidate.point];
+    for (std::uint32_t k = candidate.begin; k < candidate.end; ++k)
+      if (link.share_of_master[k] != 0) slid = slid - link.share_of_master[k] * b.moved[link.masters[k]];
+    link.slid[candidate.point] = slid;
+  }
+}
+
+void Contact::find_forces(ContactLink& link, bool slides_known) {
+  ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
+  if (!slides_known) find_slides(link);
+  for (const ContactLink::Candidate& candidate : link.candidates) {
+    if (!candidate.live) continue;
+    const std::uint32_t i = candidate.point;
+    Vec3 above = a.y[i];
+    for (std::uint32_t k = candidate.begin; k < candidate.end; ++k)
+      if (link.share_of_master[k] != 0) above = above - link.share_of_master[k] * b.y[link.masters[k]];
+    const double depth = a.radius[i] - dot(above, candidate.n), stiffness = candidate.stiffness;
+    if (!(depth > 0)) {
+      link.touching[i] = 0;
+      link.stretch[i] = {0, 0, 0};
+      continue;
+    }
+    stored_ += 0.5 * stiffness * depth * depth;
+    Vec3 force = stiffness * depth * candidate.n;
+    if (candidate.friction > 0)
+      force = force -
+              rub(link.stretch[i], link.touching[i], link.slid[i], candidate.n, stiffness, candidate.friction * depth);
+    link.touching[i] = 1;
+    a.force[i] = a.force[i] + force;
+    for (std::uint32_t k = candidate.begin; k < candidate.end; ++k)
+      if (link.share_of_master[k] != 0) {
+        const std::uint32_t q = link.masters[k];
+        b.force[q] = b.force[q] - link.share_of_master[k] * force;
+      }
+    net_[a.body] = net_[a.body] + force;
+    net_[b.body] = net_[b.body] - force;
+  }
+}
+
+void Contact::find_geometry(ContactFace& face) {
+  ContactBody& body = bodies_[face.body];
+  for (std::uint32_t i : face.candidates) {
+    const double depth = face.inward * (face.place - body.y[i][face.axis]);
+    const double closing = -face.inward * motion(body, i)[face.axis];
+    if (face.inward * body.n[i][face.axis] > kFacing || !(depth + steady_ + std::max(0.0, closing) > 0)) {
+      face.stiffness[i] = 0;
       face.touching[i] = 0;
       face.stretch[i] = {0, 0, 0};
       continue;
     }
-    stored_ += 0.5 * touch.stiffness * touch.depth * touch.depth;
-    Vec3 force = touch.stiffness * touch.depth * touch.n;
-    if (face.friction > 0) force = force - rub(face.stretch[i], face.touching[i], body.moved[i], touch, face.friction);
+    face.stiffness[i] = model_.contact.stiffness * body.area[i] * body.modulus[i] / body.spacing;
+    body.stiffness[i] += face.stiffness[i];
+    body.is_live[i] = 1;
+    body.pressed = true;
+  }
+}
+
+void Contact::find_forces(ContactFace& face) {
+  ContactBody& body = bodies_[face.body];
+  Vec3 n{0, 0, 0};
+  n[face.axis] = face.inward;
+  for (std::uint32_t i : face.candidates) {
+    const double stiffness = face.stiffness[i];
+    if (stiffness == 0) continue;
+    const double depth = face.inward * (face.place - body.y[i][face.axis]);
+    if (!(depth > 0)) {
+      face.touching[i] = 0;
+      face.stretch[i] = {0, 0, 0};
+      continue;
+    }
+    stored_ += 0.5 * stiffness * depth * depth;
+    Vec3 force = stiffness * depth * n;
+    if (face.friction > 0)
+      force = force - rub(face.stretch[i], face.touching[i], body.moved[i], n, stiffness, face.friction * depth);
     face.touching[i] = 1;
     body.force[i] = body.force[i] + force;
     net_[body.body] = net_[body.body] + force;
   }
 }
 
-void Contact::find_forces(ContactLink& link) {
-  for (const ContactLink::Candidate& candidate : link.candidates) {
-    Touch touch;
-    const bool found = look(link, candidate, touch);
-    if (found && touch.depth > 0) {
-      press(link, candidate, touch);
-      continue;
-    }
-    if (found && touch.depth + approach(link, candidate, touch) > 0) stiffen(link, candidate, touch);
-    // What the tangential spring held when the surfaces parted went on the way down to no pressure.
-    link.touching[candidate.point] = 0;
-    link.stretch[candidate.point] = {0, 0, 0};
-  }
-}
-
-/// By how much the point comes nearer in a step at most. Springs that it will meet count for that step already: who
-/// enters them in a long one is thrown back by more than what he came with.
-double Contact::approach(const ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch) const {
-  const Vec3 slid = slid_over(link, candidate, touch);
-  return last_step_ > 0 ? -dot(slid, touch.n) * longest_step_ / last_step_ : 0;
-}
-
-/// Motion of the point since the last update, less the masters' mean one.
-Vec3 Contact::slid_over(const ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch) const {
-  const ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
-  Vec3 carried{0, 0, 0};
-  for (std::uint32_t j = candidate.begin; j < candidate.end; ++j)
-    carried = carried + weights_[j - candidate.begin] * b.moved[link.masters[j]];
-  return a.moved[candidate.point] - (1 / touch.weight) * carried;
-}
-
-void Contact::stiffen(const ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch) {
-  ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
-  a.stiffness[candidate.point] += touch.stiffness;
-  a.pressed = b.pressed = true;
-  for (std::uint32_t j = candidate.begin; j < candidate.end; ++j)
-    b.stiffness[link.masters[j]] += weights_[j - candidate.begin] / touch.weight * touch.stiffness;
-}
-
-/// Whether there is a surface to be above or below, and how the point stands to it.
+/// Whether there is a surface to be above or below: its normal there and the masters' weights.
 bool Contact::look(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch) {
   const ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
   const std::uint32_t i = candidate.point;
-  const Vec3 y = a.y[i];
+  const Vec3 y = a.y[i], facing = a.n[i];
   const double R = reach(a, b), per_square = 1 / (R * R);
   if (weights_.size() < candidate.end - candidate.begin) weights_.resize(2 * (candidate.end - candidate.begin));
   double cover = 0, modulus = 0, heaviest = 0;
   for (std::uint32_t k = candidate.begin; k < candidate.end; ++k) {
     double& w = weights_[k - candidate.begin] = 0;
     const std::uint32_t q = link.masters[k];
-    const Vec3 d = y - b.y[q];
+    const Vec3 d = b.y[q] - y;
     const double square = dot(d, d) * per_square;
-    if (square >= 1 || (a.total && dot(a.n[i], b.n[q]) > kFacing)) continue;
+    if (square >= 1 || (a.total && dot(facing, b.n[q]) > kFacing)) continue;
     const double h = dot(d, b.n[q]), across = 1 - square + h * h * per_square;
     w = b.area[q] * (1 - square) * (1 - square);
     touch.weight += w;
     modulus += w * b.modulus[q];
     cover += b.area[q] * across * across;
     touch.n = touch.n + w * b.n[q];
+    const Vec3 wd = w * d;
+    touch.first = touch.first + wd;
+    add_square(touch.second, wd, d);
     if (w > heaviest) {
       heaviest = w;
       touch.nearest = q;
@@ -253,7 +365,6 @@ bool Contact::look(const ContactLink& link, const ContactLink::Candidate& candid
   const double length = norm(touch.n);
   if (!(length > 0)) return false;
   touch.n = (1 / length) * touch.n;
-  touch.depth = a.radius[i] - height_above(link, candidate, touch);
   const double whole = dimension_ == 2 ? 16 * R / 15 : std::numbers::pi * R * R / 3;
   touch.stiffness = link.share * std::min(1.0, 2 * cover / whole) * model_.contact.stiffness * a.area[i] *
                     std::min(a.modulus[i], modulus / touch.weight) / std::min(a.spacing, b.spacing);
@@ -263,68 +374,40 @@ bool Contact::look(const ContactLink& link, const ContactLink::Candidate& candid
 /// Height over the plane through the masters' weighted mean, after the weights are tilted so that this mean stands
 /// right below the point: then turning normals and the masters' uneven places do not change the height, which only the
 /// work of the forces may. One-sided neighbourhoods at a rim are tilted by less.
-double Contact::height_above(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch) {
+void Contact::stand_above(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch) {
   const ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
   const Vec3 y = a.y[candidate.point], n = touch.n;
   const Vec3 across = std::abs(n[2]) < 0.9 ? Vec3{-n[1], n[0], 0} : Vec3{0, -n[2], n[1]};
   const Vec3 e = (1 / norm(across)) * across, f = dimension_ == 3 ? cross(n, e) : Vec3{0, 0, 0};
-  const double R = reach(a, b);
-  double me = 0, mf = 0, ee = 0.05 * touch.weight * R * R, ff = ee, ef = 0;
-  const auto each = [&](auto&& act) {
-    for (std::uint32_t k = candidate.begin; k < candidate.end; ++k) {
-      double& w = weights_[k - candidate.begin];
-      if (w == 0) continue;
-      const Vec3 d = b.y[link.masters[k]] - y;
-      act(w, dot(d, e), dot(d, f), d);
-    }
-  };
-  each([&](double w, double te, double tf, const Vec3&) {
-    me += w * te, mf += w * tf;
-    ee += w * te * te, ff += w * tf * tf, ef += w * te * tf;
-  });
-  const double D = ee * ff - ef * ef;
-  const double be = (mf * ef - me * ff) / D, bf = (me * ef - mf * ee) / D;
+  const double R = reach(a, b), least = 0.05 * touch.weight * R * R;
+  const Vec3 on_e = times(touch.second, e);
+  const double ee = least + dot(e, on_e), ff = least + dot(f, times(touch.second, f)), ef = dot(f, on_e);
+  const double me = dot(touch.first, e), mf = dot(touch.first, f), D = ee * ff - ef * ef;
+  const Vec3 tilt = ((mf * ef - me * ff) / D) * e + ((me * ef - mf * ee) / D) * f;
   double height = 0;
   touch.weight = 0;
-  each([&](double& w, double te, double tf, const Vec3& d) {
-    w *= std::max(0.0, 1 + be * te + bf * tf);
+  for (std::uint32_t k = candidate.begin; k < candidate.end; ++k) {
+    double& w = weights_[k - candidate.begin];
+    if (w == 0) continue;
+    const Vec3 d = b.y[link.masters[k]] - y;
+    w *= std::max(0.0, 1 + dot(tilt, d));
     touch.weight += w;
     height -= w * dot(d, n);
-  });
-  return height / touch.weight;
-}
-
-void Contact::press(ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch) {
-  ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
-  const std::uint32_t i = candidate.point;
-  const double k = touch.stiffness;
-  Vec3 force = k * touch.depth * touch.n;
-  stored_ += 0.5 * k * touch.depth * touch.depth;
-  const double mu = friction_of(link, i, touch.nearest);
-  if (mu > 0) force = force - rub(link.stretch[i], link.touching[i], slid_over(link, candidate, touch), touch, mu);
-  link.touching[i] = 1;
-  a.force[i] = a.force[i] + force;
-  stiffen(link, candidate, touch);
-  for (std::uint32_t j = candidate.begin; j < candidate.end; ++j) {
-    const double share = weights_[j - candidate.begin] / touch.weight;
-    if (share == 0) continue;
-    const std::uint32_t q = link.masters[j];
-    b.force[q] = b.force[q] - share * force;
   }
-  net_[a.body] = net_[a.body] + force;
-  net_[b.body] = net_[b.body] - force;
+  touch.depth = a.radius[candidate.point] - height / touch.weight;
 }
 
 /// The tangential spring after the surfaces have slid over each other by `slid`: what it pulls back with.
-Vec3 Contact::rub(Vec3& stretch, bool touched, const Vec3& slid, const Touch& touch, double mu) {
-  const auto tangential = [&](const Vec3& a) { return a - dot(a, touch.n) * touch.n; };
+/// @param most  its longest stretch by Coulomb's law, m
+Vec3 Contact::rub(Vec3& stretch, bool touched, const Vec3& slid, const Vec3& n, double stiffness, double most) {
+  const auto tangential = [&](const Vec3& a) { return a - dot(a, n) * n; };
   const Vec3 before = tangential(stretch), trial = touched ? before + tangential(slid) : Vec3{0, 0, 0};
-  const double length = norm(trial), most = mu * touch.depth;
+  const double length = norm(trial);
   stretch = length > most ? (most / length) * trial : trial;
   // Work on the spring less what it stores.
-  friction_ += 0.5 * touch.stiffness * dot(before + stretch, trial - stretch);
-  stored_ += 0.5 * touch.stiffness * dot(stretch, stretch);
-  return touch.stiffness * stretch;
+  friction_ += 0.5 * stiffness * dot(before + stretch, trial - stretch);
+  stored_ += 0.5 * stiffness * dot(stretch, stretch);
+  return stiffness * stretch;
 }
 
 double Contact::friction_of(const ContactLink& link, std::uint32_t point, std::uint32_t master) const {
@@ -335,6 +418,7 @@ double Contact::friction_of(const ContactLink& link, std::uint32_t point, std::u
 
 void Contact::push(double dt) {
   elapsed_ += dt;
+  time_ += dt;
   last_step_ = dt;
   longest_step_ = std::max(longest_step_, dt);
   for (std::size_t b = 0; b < net_.size(); ++b) impulse_[b] = impulse_[b] + dt * net_[b];
@@ -344,10 +428,10 @@ void Contact::push(double dt) {
     const ContactBody& body = bodies_[b];
     if (!body.pressed) continue;
     if (body.total) {
-      total_->push_contact(total_index_[b], body.surface, body.active.data(), body.active.size(), body.force);
+      total_->push_contact(total_index_[b], body.surface, body.live.data(), body.live.size(), body.force);
       continue;
     }
-    for (std::uint32_t i : body.active) {
+    for (std::uint32_t i : body.live) {
       if (body.stiffness[i] == 0) continue;
       pushed_.push_back(static_cast<std::uint32_t>(body.begin + i));
       pushes_.push_back(body.force[i]);
@@ -362,7 +446,7 @@ double Contact::stable_time_step(double courant) const {
   for (const ContactBody& body : bodies_) {
     if (!body.pressed) continue;
     double stiffness = 0, mobility = 0;
-    for (std::uint32_t i : body.active) {
+    for (std::uint32_t i : body.live) {
       if (body.stiffness[i] == 0) continue;
       stiffness = std::max(stiffness, body.stiffness[i]);
       mobility = std::max(mobility, body.mobility[i]);
@@ -372,6 +456,7 @@ double Contact::stable_time_step(double courant) const {
     most = std::max(most, square);
   }
   if (model_.contact.self_contact) second = most;
+  if (!updated_) courant = std::max(courant, kLeastCourant);
   return most > 0 ? courant * 2 / std::sqrt(most + second) : INFINITY;
 }
 

@@ -25,13 +25,16 @@ struct ContactBody {
   std::vector<std::int32_t> material;  ///< index into Model::materials
   std::vector<double> area, radius;    ///< m2 (2D: m), m; no radius on a surface
   std::vector<double> mobility;        ///< see ContactSurface
-  std::vector<Vec3> y, n;              ///< place and outward normal, of the active points; no normal of balls
-  std::vector<Vec3> moved;             ///< of y since the update before
-  std::vector<Vec3> force;             ///< on the active points, N
-  std::vector<double> stiffness;       ///< of the springs at the active points, N/m
-  std::vector<Vec3> anchor;            ///< see TotalLagrangian::contact_shift
-  std::vector<std::uint32_t> active;   ///< points that may touch before the lists are made anew, ascending
-  std::vector<std::uint8_t> is_active;
+  std::vector<Vec3> y, n;              ///< place (of live points) and outward normal when last seen; no normal of balls
+  std::vector<Vec3> moved;             ///< of y since the update before, of live points
+  std::vector<Vec3> seen;              ///< y when the geometry was found last
+  std::vector<double> seen_at;         ///< s
+  std::vector<Vec3> force;             ///< on the live points, N
+  std::vector<double> stiffness;       ///< of the springs at the live points, N/m
+  std::vector<Vec3> list_anchor, geometry_anchor;  ///< see TotalLagrangian::contact_shift
+  std::vector<std::uint32_t> active;               ///< points that may touch before the lists are made anew, ascending
+  std::vector<std::uint32_t> live;                 ///< of these, those that may touch before the geometry is found anew
+  std::vector<std::uint8_t> is_active, is_live;
   Box3 box;
   CellList cells;
   bool pressed = false;  ///< whether some force is not zero
@@ -43,15 +46,22 @@ struct ContactBody {
 struct ContactLink {
   struct Candidate {
     std::uint32_t point = 0;
-    std::uint32_t begin = 0, end = 0;  ///< range in `masters`
+    std::uint32_t begin = 0, end = 0;  ///< range in `masters` and `share_of_master`
+    // As found last:
+    bool live = false;
+    Vec3 n{0, 0, 0};       ///< of the other body, outward
+    double stiffness = 0;  ///< N/m
+    double friction = 0;
   };
   std::size_t slave = 0, master = 0;  ///< which ContactBody
   double share = 1;                   ///< of the springs; half where the bodies look at each other in turn
   std::optional<double> friction;     ///< of this pair of bodies; else that of the materials holds
   std::vector<Candidate> candidates;
   std::vector<std::uint32_t> masters;
-  std::vector<Vec3> stretch;           ///< per point: of the tangential spring, m
-  std::vector<std::uint8_t> touching;  ///< per point
+  std::vector<double> share_of_master;  ///< of the candidate's force; they sum to 1
+  std::vector<Vec3> slid;               ///< per point: over the masters since the update before, m
+  std::vector<Vec3> stretch;            ///< per point: of the tangential spring, m
+  std::vector<std::uint8_t> touching;   ///< per point
 };
 
 /// The points of one body against a face of the domain with friction that none of its nodes stood on at the start.
@@ -62,6 +72,7 @@ struct ContactFace {
   double place = 0;   ///< m, on the axis
   double friction = 0;
   std::vector<std::uint32_t> candidates;
+  std::vector<double> stiffness;       ///< per point, N/m: of springs that may be met before the geometry is found anew
   std::vector<Vec3> stretch;           ///< per point, m
   std::vector<std::uint8_t> touching;  ///< per point
 };
@@ -79,8 +90,11 @@ struct ContactFace {
 /// A face of the domain with friction stops total-Lagrangian bodies that come to it in the same way. Those with nodes
 /// on it at the start are NodeFaces' business.
 ///
-/// Points near enough to matter are listed, and the lists hold until something has moved half their margin. A step
-/// looks at the listed points alone and allocates nothing once buffers have grown. Serial; same bits for any threads.
+/// Points near enough to matter are listed, and the lists hold until something has moved half their margin. The
+/// geometry (the averaged normals, the shares w_q / sum w, the springs' stiffness) holds until something has moved by a
+/// fiftieth of a spacing; in between depths follow the points, which is a linear, conservative spring between them. A
+/// step looks at the points alone that may touch until then and allocates nothing once buffers have grown. Serial; same
+/// bits for any threads.
 class Contact {
  public:
   /// @param total, updated  steppers of the model's bodies; none where there are no such bodies; outlive this object
@@ -108,20 +122,24 @@ class Contact {
   void add_faces();
   void refuse_overlap() const;
   double reach(const ContactBody& a, const ContactBody& b) const { return 2 * std::max(a.spacing, b.spacing); }
-  bool lists_hold();
-  void locate(ContactBody& body, bool all);
+  double farthest_shift(std::vector<Vec3> ContactBody::*anchor) const;
+  void set_anchor(ContactBody& body, std::vector<Vec3>& anchor) const;
+  void locate(ContactBody& body, const std::vector<std::uint32_t>& points, std::size_t count, bool normals);
+  void follow(ContactBody& body);
   void make_lists();
   void list_candidates(ContactLink& link);
-  void find_forces(ContactLink& link);
   void list_candidates(ContactFace& face);
-  void find_forces(ContactFace& face);
+  void find_slides(ContactLink& link);
+  void find_geometry();
+  void find_geometry(ContactLink& link);
+  void find_geometry(ContactFace& face);
   bool look(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch);
-  double height_above(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch);
-  double approach(const ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch) const;
-  Vec3 slid_over(const ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch) const;
-  void stiffen(const ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch);
-  void press(ContactLink& link, const ContactLink::Candidate& candidate, const Touch& touch);
-  Vec3 rub(Vec3& stretch, bool touched, const Vec3& slid, const Touch& touch, double mu);
+  void stand_above(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch);
+  Vec3 motion(const ContactBody& body, std::uint32_t point) const;
+  void make_live(ContactLink& link, ContactLink::Candidate& candidate, const Touch& touch);
+  void find_forces(ContactLink& link, bool slides_known);
+  void find_forces(ContactFace& face);
+  Vec3 rub(Vec3& stretch, bool touched, const Vec3& slid, const Vec3& n, double stiffness, double most);
   double friction_of(const ContactLink& link, std::uint32_t point, std::uint32_t master) const;
 
   const Model& model_;
@@ -139,6 +157,8 @@ class Contact {
   std::vector<Vec3> pushes_;
   double margin_ = 0;          ///< of the lists, m
   double allowed_ = 0;         ///< shift until they are made anew, m
+  double steady_ = 0;          ///< shift until the geometry is found anew, m
+  double time_ = 0;            ///< that has passed, s
   std::vector<Vec3> net_;      ///< force on each body of the model as it stands, N
   std::vector<Vec3> impulse_;  ///< since the last take_mean_force, N s
   double elapsed_ = 0;

@@ -12,6 +12,12 @@
 #include "solver/model/error.hpp"
 
 namespace scarp {
+namespace {
+
+/// How far things move before the geometry of contact is found anew, in spacings.
+constexpr double kSteady = 0.02;
+
+}  // namespace
 
 Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* updated)
     : model_(model),
@@ -30,12 +36,13 @@ Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* 
   for (ContactBody& body : bodies_) {
     size_buffers(body);
     margin_ = std::max(margin_, 0.5 * body.spacing);
+    steady_ = steady_ > 0 ? std::min(steady_, kSteady * body.spacing) : kSteady * body.spacing;
   }
   add_links();
   add_faces();
   make_lists();
-  for (ContactBody& body : bodies_) std::fill(body.moved.begin(), body.moved.end(), Vec3{0, 0, 0});
-  for (ContactLink& link : links_) find_forces(link);
+  find_geometry();
+  for (ContactLink& link : links_) find_forces(link, true);
   for (ContactFace& face : faces_) find_forces(face);
   refuse_overlap();
 }
@@ -77,10 +84,13 @@ void Contact::add_updated_body(std::int32_t index) {
 
 void Contact::size_buffers(ContactBody& body) {
   const std::size_t count = body.size();
-  for (auto* field : {&body.y, &body.n, &body.moved, &body.force}) field->assign(count, Vec3{0, 0, 0});
+  for (auto* field : {&body.y, &body.n, &body.moved, &body.seen, &body.force}) field->assign(count, Vec3{0, 0, 0});
   body.stiffness.assign(count, 0);
+  body.seen_at.assign(count, -1);
   body.is_active.assign(count, 0);
+  body.is_live.assign(count, 0);
   body.active.reserve(count);
+  body.live.reserve(count);
   const std::vector<Vec2> speeds = material_wave_speeds(model_);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t p = body.total ? body.surface.particle[i] : body.begin + i;
@@ -104,6 +114,7 @@ void Contact::add_links() {
       link.share = bodies_[a].total ? 0.5 : 1;
       if (const auto law = contact_law_of_bodies(model_, bodies_[a].body, bodies_[b].body))
         link.friction = law->friction;
+      link.slid.assign(bodies_[a].size(), Vec3{0, 0, 0});
       link.stretch.assign(bodies_[a].size(), Vec3{0, 0, 0});
       link.touching.assign(bodies_[a].size(), 0);
       links_.push_back(std::move(link));
@@ -126,6 +137,7 @@ void Contact::add_faces() {
       if (std::any_of(nodes.begin(), nodes.end(),
                       [&](const Vec3& x) { return face.inward * (x[face.axis] - face.place) <= slack; }))
         continue;
+      face.stiffness.assign(bodies_[b].size(), 0);
       face.stretch.assign(bodies_[b].size(), Vec3{0, 0, 0});
       face.touching.assign(bodies_[b].size(), 0);
       faces_.push_back(std::move(face));
@@ -136,7 +148,7 @@ void Contact::add_faces() {
 void Contact::refuse_overlap() const {
   for (const ContactLink& link : links_) {
     const ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
-    for (std::uint32_t i : a.active) {
+    for (std::uint32_t i : a.live) {
       const double depth = a.stiffness[i] > 0 ? norm(a.force[i]) / a.stiffness[i] : 0;
       const double most = 0.5 * std::min(a.spacing, b.spacing);
       if (link.touching[i] && depth > most)

@@ -20,25 +20,35 @@ inline Vec3 current_normal(const Mat3& F, const Vec3& N) {
   return length > 0 ? (1 / length) * n : N;
 }
 
-/// Place and normal of some points; other entries stay.
-/// @param U  U(node), m
-template <class Displacement>
-void locate_points(const ContactSurface& surface, const std::uint32_t* points, std::size_t count, Displacement&& U,
-                   std::vector<Vec3>& y, std::vector<Vec3>& n) {
-  const auto corners = static_cast<std::size_t>(surface.corners);
+template <int D, bool normals, class Displacement>
+void locate_points_in(const ContactSurface& surface, const std::uint32_t* points, std::size_t count, Displacement&& U,
+                      std::vector<Vec3>& y, std::vector<Vec3>* n) {
+  constexpr std::size_t corners = 1 << D;
   for (std::size_t j = 0; j < count; ++j) {
     const std::uint32_t i = points[j];
     Vec3 place = surface.Y[i];
     Mat3 F = kIdentity;
     for (std::size_t k = i * corners; k < (i + 1) * corners; ++k) {
       const Vec3 u = U(surface.nodes[k]), &slope = surface.slopes[k];
-      place = place + surface.weights[k] * u;
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b) F[3 * a + b] += u[a] * slope[b];
+      for (int a = 0; a < D; ++a) {
+        place[a] += surface.weights[k] * u[a];
+        for (int b = 0; normals && b < D; ++b) F[3 * a + b] += u[a] * slope[b];
+      }
     }
     y[i] = place;
-    n[i] = current_normal(F, surface.N[i]);
+    if (normals) (*n)[i] = current_normal(F, surface.N[i]);
   }
+}
+
+/// Place of some points, and their normals unless `n` is null; other entries stay.
+/// @param U  U(node), m
+template <class Displacement>
+void locate_points(const ContactSurface& surface, const std::uint32_t* points, std::size_t count, Displacement&& U,
+                   std::vector<Vec3>& y, std::vector<Vec3>* n) {
+  const auto locate = surface.corners == 4
+                          ? (n ? &locate_points_in<2, true, Displacement> : &locate_points_in<2, false, Displacement>)
+                          : (n ? &locate_points_in<3, true, Displacement> : &locate_points_in<3, false, Displacement>);
+  locate(surface, points, count, std::forward<Displacement>(U), y, n);
 }
 
 /// U of the surface's nodes.

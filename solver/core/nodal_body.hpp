@@ -55,7 +55,7 @@ class NodalBody {
   /// See the calls of TotalLagrangian.
   void prepare_contact(ContactSurface& surface) const;
   void locate_contact(const ContactSurface& surface, const std::uint32_t* points, std::size_t count,
-                      std::vector<Vec3>& y, std::vector<Vec3>& n) const;
+                      std::vector<Vec3>& y, std::vector<Vec3>* n) const;
   void anchor_contact(const ContactSurface& surface, std::vector<Vec3>& anchor) const;
   double contact_shift(const ContactSurface& surface, const std::vector<Vec3>& anchor) const;
   void push_contact(const ContactSurface& surface, const std::uint32_t* points, std::size_t count,

@@ -20,7 +20,7 @@ void NodalBody::prepare_contact(ContactSurface& surface) const {
 }
 
 void NodalBody::locate_contact(const ContactSurface& surface, const std::uint32_t* points, std::size_t count,
-                               std::vector<Vec3>& y, std::vector<Vec3>& n) const {
+                               std::vector<Vec3>& y, std::vector<Vec3>* n) const {
   locate_points(surface, points, count, displacement(nodes_), y, n);
 }
 

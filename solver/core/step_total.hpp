@@ -73,9 +73,9 @@ class TotalLagrangian {
   const TotalBody& body(std::size_t index) const { return bodies_[index]; }
   /// For contact: turns the nodes of a surface into places that the calls below understand.
   void prepare_contact(std::size_t index, ContactSurface& surface);
-  /// y = x(Y) and the current outward normal of some points of the surface; other entries stay.
+  /// y = x(Y) of some points of the surface, and their current outward normals unless `n` is null; other entries stay.
   void locate_contact(std::size_t index, const ContactSurface& surface, const std::uint32_t* points, std::size_t count,
-                      std::vector<Vec3>& y, std::vector<Vec3>& n) const;
+                      std::vector<Vec3>& y, std::vector<Vec3>* n) const;
   /// Keeps where the surface is; then, how far any part of it has moved since, m.
   void anchor_contact(std::size_t index, const ContactSurface& surface, std::vector<Vec3>& anchor) const;
   double contact_shift(std::size_t index, const ContactSurface& surface, const std::vector<Vec3>& anchor) const;

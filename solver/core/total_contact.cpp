@@ -20,7 +20,7 @@ void TotalLagrangian::prepare_contact(std::size_t index, ContactSurface& surface
 }
 
 void TotalLagrangian::locate_contact(std::size_t index, const ContactSurface& surface, const std::uint32_t* points,
-                                     std::size_t count, std::vector<Vec3>& y, std::vector<Vec3>& n) const {
+                                     std::size_t count, std::vector<Vec3>& y, std::vector<Vec3>* n) const {
   if (nodal_[index]) return nodal_[index]->locate_contact(surface, points, count, y, n);
   locate_points(surface, points, count, displacement(bodies_[index]), y, n);
 }

@@ -74,8 +74,8 @@ TriangleMesh sphere_mesh(const Vec3& centre, double radius, double sagitta) {
 TriangleMesh box_mesh(const Box3& box) {
   TriangleMesh mesh;
   for (std::uint32_t k = 0; k < 8; ++k)
-    mesh.vertices.push_back({k & 1 ? box.max[0] : box.min[0], k & 2 ? box.max[1] : box.min[1],
-                             k & 4 ? box.max[2] : box.min[2]});
+    mesh.vertices.push_back(
+        {k & 1 ? box.max[0] : box.min[0], k & 2 ? box.max[1] : box.min[1], k & 4 ? box.max[2] : box.min[2]});
   mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return mesh;
