@@ -204,6 +204,10 @@ void check_contact(const Model& model, const SolverOptions& options) {
     refuse("adhesion in contact", "given", "none, or method \"grid\" between updated-Lagrangian bodies alone");
   for (std::size_t i = 0; i < contact.pairs.size(); ++i)
     check_pair(model, contact.pairs[i], "contact.pairs." + std::to_string(i));
+  if (contact.self_contact &&
+      (contact.method == ContactMethod::none || !has_formulation(model, Formulation::total_lagrangian)))
+    refuse("contact.self_contact", "true",
+           "false with method \"none\", and without a total-Lagrangian body: others touch themselves on their grid");
   if (contact.method == ContactMethod::none) {
     if (!contact.pairs.empty()) refuse("contact.pairs with method \"none\"", "given", "none, or another method");
     return;

@@ -286,6 +286,10 @@ TEST(ContactChecks, RefuseWhatCannotBe) {
   Model updated = two_blocks(2, Formulation::updated_lagrangian);
   updated.bodies[0].formulation = Formulation::updated_lagrangian;
   EXPECT_NE(refusal(updated, options).find("total-Lagrangian"), std::string::npos);
+  Model alone = two_blocks(2, Formulation::total_lagrangian);
+  alone.contact.method = ContactMethod::none;
+  alone.contact.self_contact = true;
+  EXPECT_NE(refusal(alone, options).find("self_contact"), std::string::npos);
   Model relaxed = two_blocks(2, Formulation::total_lagrangian);
   SolverOptions relaxing = options;
   relaxing.relax = RelaxOptions{};
