@@ -10,7 +10,7 @@ namespace {
 
 // One overload per filter: the indices of what is kept.
 
-std::vector<std::size_t> kept_by(const Crop& crop, const std::vector<Vec3>& positions) {
+std::vector<std::size_t> kept_by(const Crop& crop, const std::vector<Vec3>& positions, int) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     bool inside = true;
@@ -20,21 +20,21 @@ std::vector<std::size_t> kept_by(const Crop& crop, const std::vector<Vec3>& posi
   return kept;
 }
 
-std::vector<std::size_t> kept_by(const StatisticalOutlier& options, const std::vector<Vec3>& positions) {
-  return statistical_inliers(positions, options);
+std::vector<std::size_t> kept_by(const StatisticalOutlier& options, const std::vector<Vec3>& positions, int threads) {
+  return statistical_inliers(positions, options, threads);
 }
 
-std::vector<std::size_t> kept_by(const VoxelThin& options, const std::vector<Vec3>& positions) {
+std::vector<std::size_t> kept_by(const VoxelThin& options, const std::vector<Vec3>& positions, int) {
   return voxel_thin(positions, options);
 }
 
 }  // namespace
 
-CleanReport clean(PointCloud& cloud, const CleanFilter& filter, int /*threads: every filter so far is serial*/) {
+CleanReport clean(PointCloud& cloud, const CleanFilter& filter, int threads) {
   return std::visit(
       [&](const auto& options) {
         CleanReport report{std::string(options.name), cloud.size(), 0};
-        const std::vector<std::size_t> kept = kept_by(options, cloud.positions);
+        const std::vector<std::size_t> kept = kept_by(options, cloud.positions, threads);
         if (kept.size() < cloud.size()) select_points(cloud, kept);
         report.after = cloud.size();
         return report;

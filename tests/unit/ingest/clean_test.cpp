@@ -63,7 +63,7 @@ TEST(StatisticalOutlier, AgreesWithTheDefinitionInDoublePrecision) {
       if (means[i] <= threshold) expected.push_back(i);
     }
     ASSERT_LT(expected.size(), points.size());
-    EXPECT_EQ(statistical_inliers(points, {k, deviations}), expected) << k;
+    for (int threads : {1, 3}) EXPECT_EQ(statistical_inliers(points, {k, deviations}, threads), expected) << k;
   }
 }
 
