@@ -95,10 +95,13 @@ void weigh(const Body& body, int threads, Model& model, VolumeReport& report) {
     density.push_back(density_of(material.law));
     stress.push_back(rest_stress(material.law));
   }
+  constexpr Sym6 none{0, 0, 0, 0, 0, 0};
+  if (std::any_of(stress.begin(), stress.end(), [&](const Sym6& s) { return s != none; }))
+    particles.stress.resize(particles.size(), none);
   parallel_for(body.end - body.begin, threads, [&](std::size_t n) {
     const std::size_t p = body.begin + n;
     particles.mass[p] = density[particles.material[p]] * particles.reference_volume[p];
-    particles.stress[p] = stress[particles.material[p]];
+    if (!particles.stress.empty()) particles.stress[p] = stress[particles.material[p]];
   });
   std::vector<std::size_t> count(model.materials.size(), 0);
   for (std::size_t p = body.begin; p < body.end; ++p) ++count[particles.material[p]];

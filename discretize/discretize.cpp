@@ -77,7 +77,7 @@ void allocate(const std::vector<Work>& bodies, Model& model) {
   if (static_cast<double>(count) > kMostParticles)
     throw Error("discretize", "material points of all bodies", found, "at most 2e9: use larger cells");
   try {
-    resize_particles(model.particles, count);
+    resize_constants(model.particles, count);
   } catch (const std::bad_alloc&) {
     throw Error("discretize", "material points do not fit into memory", found, "fewer points: use larger cells");
   }
@@ -88,8 +88,11 @@ void set_out(const Work& work, std::size_t index, int threads, Model& model) {
   seed(work.grid, work.columns, work.cells, body.begin, threads, model.particles);
   std::fill(model.particles.body.begin() + static_cast<std::ptrdiff_t>(body.begin),
             model.particles.body.begin() + static_cast<std::ptrdiff_t>(body.end), static_cast<std::int32_t>(index));
-  std::fill(model.particles.velocity.begin() + static_cast<std::ptrdiff_t>(body.begin),
-            model.particles.velocity.begin() + static_cast<std::ptrdiff_t>(body.end), work.options.velocity);
+  if (work.options.velocity == Vec3{0, 0, 0}) return;
+  std::vector<Vec3>& velocity = model.particles.velocity;
+  velocity.resize(model.particles.size(), Vec3{0, 0, 0});
+  std::fill(velocity.begin() + static_cast<std::ptrdiff_t>(body.begin),
+            velocity.begin() + static_cast<std::ptrdiff_t>(body.end), work.options.velocity);
 }
 
 /// Colours and materials, with the scan that the body was made from.
@@ -141,13 +144,15 @@ Model discretize(const DiscretizeInput& input) {
   allocate(bodies, model);
 
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Work& work = bodies[b];
+    Work& work = bodies[b];
     VolumeReport report;
     measure(work, report);
     set_out(work, b, input.threads, model);
+    if (auto* terrain = std::get_if<TerrainSolid>(&work.solid)) {
+      model.bodies[b].held = hold_nodes(*terrain, work.grid, work.columns, work.cells, input.threads);
+      terrain->tin = {};  // as large as the scan, and of no more use
+    }
     dress(work, b, input, model, report);
-    if (work.terrain())
-      model.bodies[b].held = hold_nodes(*work.terrain(), work.grid, work.columns, work.cells, input.threads);
     model.volumes.push_back(std::move(report));
   }
   return model;

@@ -112,7 +112,7 @@ void seed(const SubLattice& grid, const Columns& columns, const std::vector<Occu
         for (std::int32_t i = at[0] * n; i < (at[0] + 1) * n; ++i) {
           if (!columns.contains(grid.column(i, j), k)) continue;
           particles.id[p] = static_cast<std::int64_t>(p);
-          particles.reference_position[p] = particles.position[p] = grid.point(i, j, k);
+          particles.reference_position[p] = grid.point(i, j, k);
           particles.reference_volume[p] = volume;
           particles.surface[p] =
               terrain ? on_terrain_surface(grid, columns, i, j, k) : on_any_surface(grid, columns, i, j, k);

@@ -10,7 +10,7 @@
 namespace {
 
 struct Silent : scarp::FrameSink {
-  void frame(const scarp::Model&, double, std::int64_t) override {}
+  void frame(const scarp::Model&, const scarp::ParticleStates&, double, std::int64_t) override {}
   void sample(const scarp::HistorySample&) override {}
   void progress(double, double, std::int64_t, double) override {}
 };

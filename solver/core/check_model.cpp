@@ -24,10 +24,15 @@ namespace {
 std::string text(const Vec3& x) { return "(" + shortest(x[0]) + ", " + shortest(x[1]) + ", " + shortest(x[2]) + ")"; }
 
 void check_arrays(const Particles& particles) {
-  for_each_field(particles, [&](const char* name, const char*, const auto& values, const auto&) {
-    if (values.size() != particles.size())
-      refuse(std::string("number of values of particle field '") + name + "'", std::to_string(values.size()),
+  const auto check = [&](const char* name, std::size_t values) {
+    if (values != particles.size())
+      refuse(std::string("number of values of particle field '") + name + "'", std::to_string(values),
              "one per particle, " + std::to_string(particles.size()));
+  };
+  for_each_constant(
+      [&](const char* name, const char*, auto member, const auto&) { check(name, (particles.*member).size()); });
+  for_each_of_state([&](const char* name, const char*, auto member, const auto&) {
+    if (!(particles.*member).empty()) check(name, (particles.*member).size());
   });
 }
 
@@ -63,11 +68,11 @@ void check_particle(const Model& model, std::int32_t body, std::size_t p) {
     refuse("mass" + name(), shortest(particles.mass[p]), "above 0 kg");
   if (!(particles.reference_volume[p] > 0) || !std::isfinite(particles.reference_volume[p]))
     refuse("reference volume" + name(), shortest(particles.reference_volume[p]), "above 0 m3");
-  if (!is_finite(particles.reference_position[p]) || !is_finite(particles.position[p]))
-    refuse("position" + name(), text(particles.position[p]), "finite");
-  const Vec3& v = particles.velocity[p];
+  const Vec3 X = particles.reference_position[p], x = particles.position.empty() ? X : particles.position[p];
+  if (!is_finite(X) || !is_finite(x)) refuse("position" + name(), text(x), "finite");
+  const Vec3 v = particles.velocity.empty() ? Vec3{0, 0, 0} : particles.velocity[p];
   if (!is_finite(v)) refuse("velocity" + name(), text(v), "finite");
-  const Mat3& F = particles.deformation_gradient[p];
+  const Mat3 F = particles.deformation_gradient.empty() ? kIdentity : particles.deformation_gradient[p];
   if (model.domain.dimension == 2 && (v[2] != 0 || F[2] != 0 || F[5] != 0 || F[6] != 0 || F[7] != 0))
     refuse("motion out of the plane" + name(), text(v), "none in plane strain");
 }

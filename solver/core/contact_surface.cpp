@@ -166,8 +166,8 @@ void find_weights(ContactSurface& surface, const Model& model, const TotalBody& 
     const std::size_t p = surface.particle[i];
     const auto cell = static_cast<std::uint32_t>(std::upper_bound(grid.cell_begin.begin(), grid.cell_begin.end(), p) -
                                                  grid.cell_begin.begin() - 1);
-    const Vec3 xi = grid.xi[p - body.begin],
-               place = xi + (1 / grid.cell) * (surface.Y[i] - model.particles.reference_position[p]);
+    const Vec3 X = model.particles.reference_position[p], xi = grid.place(cell, p - body.begin, X),
+               place = xi + (1 / grid.cell) * (surface.Y[i] - X);
     surface.cell.push_back(cell);
     for (int k = 0; k < Cell::N; ++k) {
       double value = 1;

@@ -100,10 +100,12 @@ void add_work(HistorySample& sample, const NodeWork& work) {
   sample.total += work.friction + work.damping - work.external;
 }
 
-double largest_displacement(const Particles& particles) {
+double largest_displacement(const ParticleStates& states) {
   double largest = 0;
-  for (std::size_t p = 0; p < particles.size(); ++p)
-    largest = std::max(largest, norm(particles.position[p] - particles.reference_position[p]));
+  states.each_block([&](const Particles& particles) {
+    for (std::size_t p = 0; p < particles.size(); ++p)
+      largest = std::max(largest, norm(particles.position[p] - particles.reference_position[p]));
+  });
   return largest;
 }
 

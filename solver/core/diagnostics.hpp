@@ -7,6 +7,7 @@
 #include "solver/core/node_step.hpp"
 #include "solver/materials/law.hpp"
 #include "solver/model/model.hpp"
+#include "solver/model/particle_states.hpp"
 
 namespace scarp {
 
@@ -18,6 +19,8 @@ class Diagnostics {
   HistorySample measure(const Model& model, const std::vector<PreparedLaw>& laws, const Vec3& gravity, int threads);
   /// Angular momentum and centre of mass, of the particles' positions and velocities as they stand.
   void add_motion(HistorySample& sample, const Particles& particles, int threads);
+  /// Turns a centre that is sum m (x - X) into the centre of mass.
+  void place_centre(HistorySample& sample) const { sample.centre = reference_centre_ + (1 / mass_) * sample.centre; }
   /// Centre of mass of the reference configuration, m: the point that angular momentum is taken about.
   const Vec3& reference_centre() const { return reference_centre_; }
 
@@ -34,7 +37,7 @@ void add(HistorySample& sum, const HistorySample& part);
 void add_work(HistorySample& sample, const NodeWork& work);
 
 /// Largest |x - X|, m.
-double largest_displacement(const Particles& particles);
+double largest_displacement(const ParticleStates& states);
 
 /// What is wrong with a particle that a sweep has found invalid. Step and time are the caller's.
 Failure describe_bad_particle(const Particles& particles, std::int64_t index);

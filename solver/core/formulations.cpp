@@ -27,6 +27,7 @@ Formulations::Formulations(Model& model, const SolverOptions& options, int threa
   sort_by_cell(model);
   set_k0_stress(model, options, threads);
   if (has_formulation(model, Formulation::total_lagrangian)) total_.emplace(model, options, threads, kernels);
+  if (has_formulation(model, Formulation::updated_lagrangian)) complete_state(model.particles);
   if (has_formulation(model, Formulation::updated_lagrangian)) updated_.emplace(model, options, threads, kernels);
   if (model.contact.method != ContactMethod::none && total_)
     contact_.emplace(model, total_ ? &*total_ : nullptr, updated_ ? &*updated_ : nullptr);
@@ -40,7 +41,6 @@ double Formulations::stable_time_step() const {
 }
 
 StepLimit Formulations::step_limit() {
-  write_particles();
   StepLimit limit;
   if (total_) limit = total_->step_limit();
   if (updated_ && (!total_ || updated_->stable_time_step() < limit.time_step)) limit = updated_->step_limit();
@@ -85,6 +85,7 @@ NodeWork Formulations::work() const {
 }
 
 void Formulations::begin_relaxing(double damping) {
+  complete_state(model_.particles);
   start_velocity_ = model_.particles.velocity;
   if (total_) total_->begin_relaxing(damping);
   if (updated_) updated_->begin_relaxing(damping);
@@ -107,6 +108,14 @@ void Formulations::write_particles() {
   if (total_) total_->write_particles();
 }
 
+ParticleStates Formulations::states() const {
+  return {model_.particles.size(), [this](std::size_t begin, std::size_t end, Particles& block) {
+            copy_particles(model_.particles, begin, end, block);
+            complete_state(block);
+            if (total_) total_->write_particles(block, begin, end);
+          }};
+}
+
 AffineMotion Formulations::affine_motion() const {
   AffineMotion sum;
   if (total_) sum = sum + total_->affine_motion();
@@ -124,14 +133,14 @@ double Formulations::kinetic_energy() {
 
 HistorySample Formulations::measure(Diagnostics& diagnostics) {
   HistorySample sample;
-  if (total_ && !updated_ && total_->all_nodal()) {
-    sample = total_->measure();
-    total_->write_motion();
+  if (all_nodal()) {
+    sample = total_->measure(diagnostics.reference_centre());
+    diagnostics.place_centre(sample);
   } else {
     write_particles();
     sample = diagnostics.measure(model_, laws(), gravity(), threads_);
+    diagnostics.add_motion(sample, model_.particles, threads_);
   }
-  diagnostics.add_motion(sample, model_.particles, threads_);
   const AffineMotion affine = affine_motion();
   sample.kinetic += affine.kinetic;
   sample.total += affine.kinetic;
@@ -164,19 +173,13 @@ std::vector<std::int64_t> Formulations::reference_updates() const {
 }
 
 std::optional<Failure> Formulations::failure() {
-  if (bad_particle() >= 0) write_particles();
-  if (total_ && total_->bad_particle() >= 0) return describe_bad_particle(model_.particles, total_->bad_particle());
-  std::int64_t lost = total_ ? total_->lost_particle() : -1;
-  if (lost < 0 && updated_) {
-    if (updated_->bad_particle() >= 0) return describe_bad_particle(model_.particles, updated_->bad_particle());
-    lost = updated_->lost_particle();
-  }
-  if (lost < 0) return std::nullopt;
-  Failure failure;
-  failure.what = "a particle has left the grid";
-  failure.particle = model_.particles.id[lost];
-  failure.position = model_.particles.position[lost];
-  return failure;
+  const std::int64_t p = bad_particle();
+  if (p < 0) return std::nullopt;
+  Particles particle;
+  states().read(static_cast<std::size_t>(p), static_cast<std::size_t>(p) + 1, particle);
+  if ((total_ && total_->bad_particle() == p) || (updated_ && updated_->bad_particle() == p))
+    return describe_bad_particle(particle, 0);
+  return Failure{.what = "a particle has left the grid", .particle = particle.id[0], .position = particle.position[0]};
 }
 
 }  // namespace scarp

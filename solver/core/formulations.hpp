@@ -10,6 +10,7 @@
 #include "solver/core/diagnostics.hpp"
 #include "solver/core/step_total.hpp"
 #include "solver/core/step_updated.hpp"
+#include "solver/model/particle_states.hpp"
 
 namespace scarp {
 
@@ -34,6 +35,10 @@ class Formulations {
 
   /// Brings the model's particles to the state as it stands: steps leave them behind.
   void write_particles();
+  /// The state as it stands, as long as this object stands and takes no step; the model's particles stay as they are.
+  ParticleStates states() const;
+  /// Whether the model's particles are asked for no state: all bodies are in nodal form.
+  bool all_nodal() const { return total_ && !updated_ && total_->all_nodal(); }
   /// Kinetic energy of the state as it stands, J. Brings the particles' positions and velocities up to date.
   double kinetic_energy();
   /// Energies and momenta of the state as it stands; time, step and dt are the caller's.

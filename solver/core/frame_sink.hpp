@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "solver/model/model.hpp"
+#include "solver/model/particle_states.hpp"
 #include "solver/model/reports.hpp"
 
 namespace scarp {
@@ -13,8 +14,11 @@ namespace scarp {
 /// order of time; what it throws ends the run.
 struct FrameSink {
   virtual ~FrameSink() = default;
-  /// At t = 0, at each output interval, and at the end time. The model is valid during the call only.
-  virtual void frame(const Model& model, double time, std::int64_t step) = 0;
+  /// Whether this sink asks `states` alone for the particles' state. Then the model's need not have any, which saves
+  /// most of a particle's bytes where all bodies are in nodal form.
+  virtual bool takes_blocks() const { return false; }
+  /// At t = 0, at each output interval, and at the end time. Both are valid during the call only.
+  virtual void frame(const Model& model, const ParticleStates& states, double time, std::int64_t step) = 0;
   /// At t = 0, at each history interval, and with each frame.
   virtual void sample(const HistorySample& sample) = 0;
   /// Whether `look` wants to be called. Particles are brought up to date for it, which takes a while.
@@ -23,6 +27,8 @@ struct FrameSink {
   virtual void look(const Model&, const HistorySample&) {}
   /// After each step.
   virtual void progress(double time, double end_time, std::int64_t step, double dt) = 0;
+  /// After the last step, also of a run that failed.
+  virtual void end(const Model&, const ParticleStates&) {}
 };
 
 }  // namespace scarp

@@ -137,6 +137,7 @@ void set_k0_stress(Model& model, const SolverOptions& options, int threads) {
     ratios.push_back(ratio_of(material, *options.k0));
     laws.push_back(prepare(material.law, model.domain.cell));
   }
+  complete_state(model.particles);
   const std::vector<double> pressure = vertical_effective_pressure(model, gravity);
   Particles& particles = model.particles;
   std::vector<std::uint8_t> borne(particles.size(), 1);

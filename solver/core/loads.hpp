@@ -58,6 +58,14 @@ class NodeLoads {
       for (std::uint32_t i : imposed.nodes) touched[i] = true;
   }
 
+  /// Gives them new numbers: place[node].
+  void renumber(const std::vector<std::uint32_t>& place) {
+    for (Forces& load : forces_)
+      for (std::uint32_t& i : load.nodes) i = place[i];
+    for (Imposed& imposed : imposed_)
+      for (std::uint32_t& i : imposed.nodes) i = place[i];
+  }
+
   bool empty() const { return forces_.empty() && imposed_.empty() && present.empty(); }
   /// While true, forces in time are those at t = 0 and what is imposed stands still.
   void hold_still(bool still);

@@ -16,17 +16,17 @@ namespace {
 template <class F>
 FrameField field_of(OutputField which, const char* unit, std::size_t count, F&& value) {
   constexpr int components = static_cast<int>(std::tuple_size_v<decltype(value(0))>);
-  std::vector<float> values;
-  values.reserve(count * components);
+  std::vector<float> values(count * components);
+  float* next = values.data();
   for (std::size_t p = 0; p < count; ++p)
-    for (double v : value(p)) values.push_back(static_cast<float>(v));
+    for (double v : value(p)) *next++ = static_cast<float>(v);
   return {std::string(name_of(which)), unit, components, std::move(values)};
 }
 
 using Scalar = std::array<double, 1>;
 
-FrameField make_field(const Model& model, OutputField which, const Vec3& shift, const Vec3& velocity) {
-  const Particles& P = model.particles;
+FrameField make_field(const Model& model, const Particles& P, OutputField which, const Vec3& shift,
+                      const Vec3& velocity) {
   const std::size_t n = P.size();
   const auto J = [&P](std::size_t p) { return determinant(P.deformation_gradient[p]); };
   switch (which) {
@@ -65,19 +65,22 @@ std::vector<std::uint8_t> flatten(const std::vector<Rgb8>& colours) {
 }
 
 /// Current volumes: with them a surface can be laid around the points.
-FrameField volumes(const Model& model) {
-  const Particles& particles = model.particles;
+FrameField volumes(const Particles& particles, int dimension) {
   std::vector<float> values(particles.size());
   for (std::size_t p = 0; p < values.size(); ++p)
     values[p] = static_cast<float>(particles.reference_volume[p] * determinant(particles.deformation_gradient[p]));
-  return {"volume", model.domain.dimension == 2 ? "m3/m" : "m3", 1, std::move(values)};
+  return {"volume", dimension == 2 ? "m3/m" : "m3", 1, std::move(values)};
 }
 
 }  // namespace
 
 Frame make_frame(const Model& model, const std::vector<OutputField>& fields, double time, std::int64_t step,
                  bool absolute) {
-  const Particles& particles = model.particles;
+  return make_frame(model, model.particles, fields, time, step, absolute);
+}
+
+Frame make_frame(const Model& model, const Particles& particles, const std::vector<OutputField>& fields, double time,
+                 std::int64_t step, bool absolute) {
   const Vec3 none{0, 0, 0}, shift = absolute ? base_displacement(model.shaking, time) : none,
                             velocity = absolute ? base_velocity(model.shaking, time) : none;
   Frame frame{.time = time, .step = step, .positions = particles.position, .fields = {}, .site = model.site};
@@ -87,10 +90,10 @@ Frame make_frame(const Model& model, const std::vector<OutputField>& fields, dou
   frame.fields.push_back({"material", "1", 1, particles.material});
   frame.fields.push_back({"surface", "1", 1, particles.surface});
   frame.fields.push_back({"colour", "1", 3, flatten(particles.colour)});
-  frame.fields.push_back(volumes(model));
+  frame.fields.push_back(volumes(particles, model.domain.dimension));
   for (OutputField field : fields)
     if (!find_field(frame, std::string(name_of(field))))
-      frame.fields.push_back(make_field(model, field, shift, velocity));
+      frame.fields.push_back(make_field(model, particles, field, shift, velocity));
   return frame;
 }
 

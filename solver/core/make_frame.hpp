@@ -19,5 +19,8 @@ namespace scarp {
 /// Model::shaking
 Frame make_frame(const Model& model, const std::vector<OutputField>& fields, double time, std::int64_t step,
                  bool absolute = false);
+/// The same of a block of them.
+Frame make_frame(const Model& model, const Particles& block, const std::vector<OutputField>& fields, double time,
+                 std::int64_t step, bool absolute = false);
 
 }  // namespace scarp

@@ -84,6 +84,7 @@ std::optional<std::size_t> move_reference(Model& model, TotalBody& body) {
   moved.base.assign(particles.deformation_gradient.begin() + static_cast<std::ptrdiff_t>(body.begin),
                     particles.deformation_gradient.begin() + static_cast<std::ptrdiff_t>(body.end));
   if (!body.since.empty()) average_volumes(moved, particles);
+  if (body.kernels) use_kernels(moved, model, *body.kernels);
   moved.conditions.damping = body.conditions.damping;
   set_loads(moved, model);
   body = std::move(moved);

@@ -36,13 +36,16 @@ class NodalBody {
  public:
   /// Why this body cannot be in nodal form, or nothing if it can: a law without kernel, or a state at the start that is
   /// no function of nodes at rest.
-  static std::optional<std::string> obstacle(const Model& model, const TotalBody& body);
+  static std::optional<std::string> obstacle(const Model& model, const TotalBody& body, bool average);
 
-  /// @param body  made, with its loads set; must outlive this object
-  NodalBody(const Model& model, TotalBody& body, const kernels::Kernels& kernels);
+  /// Takes what a body has per node of the nodes that something holds, drives or rubs, and forgets it of the others.
+  /// @param body     made bare, with its loads set; must outlive this object
+  /// @param average  F-bar, see averaged_stress.hpp
+  NodalBody(const Model& model, TotalBody& body, bool average, const kernels::Kernels& kernels);
 
-  /// Starts, or starts anew, from the velocities of `particles` and their reference positions: what W and A have
-  /// gathered is forgotten, U and the history stay.
+  /// Takes room for the fields of nodes and the histories, at first; by then a caller who needs the body's grid no more
+  /// has forgotten it. Starts, or starts anew, from the velocities of `particles` and their reference positions: what W
+  /// and A have gathered is forgotten, U and the history stay.
   void restart(const Particles& particles, int threads);
 
   /// Adds b_p per mass to the forces of the next step. Serial.
@@ -68,14 +71,27 @@ class NodalBody {
 
   /// Position, velocity, F, stress and history of the body's particles.
   void write(Particles& particles, int threads) const;
+  /// The same of those among [begin, end) of the model's particles, which `block` holds.
+  void write(Particles& block, std::size_t begin, std::size_t end, int threads) const;
   /// Position and velocity alone.
   void write_motion(Particles& particles, int threads) const;
-  /// Energies and momenta, without the particles.
-  HistorySample measure(const Vec3& gravity, int threads) const;
+  /// Energies, momenta, and sum m (x - X) into the sample's centre; no particle is touched for it.
+  /// @param about  point of the angular momentum, m
+  HistorySample measure(const Vec3& gravity, const Vec3& about, int threads) const;
+  /// The stiffest cell when speeds were last looked for, as it is now.
+  StepLimit step_limit() const;
 
  private:
   void reserve_fields();
   void choose_special_nodes();
+  Vec3 node_position(std::size_t node) const;
+  void map_start_momentum(const Particles& particles);
+  struct NodeSums {
+    double of_change = 0, of_start = 0;
+    Vec3 momentum{0, 0, 0}, angular{0, 0, 0}, displaced{0, 0, 0};
+  };
+  void add_motion(NodeSums& sums, std::size_t node, const Vec3& p, double mass, const Vec3& about) const;
+  NodeSums measure_nodes(const Vec3& about, int threads) const;
   void fill_history();
   NodeWork advance_forces(const NodalStep& step, int threads);
   void sweep_momentum(int threads);
@@ -85,16 +101,12 @@ class NodalBody {
   void add_shared_rows(int threads);
   double start_share() const { return moves_ ? share_ : 0; }
   std::int64_t find_bad_particle(std::size_t segment) const;
-  PointHistory history_at(std::size_t segment, int place, int lane, const Mat3& F) const;
   /// Adds sum_p phi_Ip value(p), serially.
   void scatter(double* const (&field)[3], const std::function<Vec3(std::size_t)>& value) const;
   template <int D, class F>
   void scatter_segments(double* const (&field)[3], F&& value) const;
-  template <int D>
-  double mean_volume(std::size_t segment, int lane) const;
-  /// `whole`: also F, stress and history.
-  template <int D, bool whole>
-  void write_segment(Particles& particles, std::size_t segment) const;
+  template <bool whole>
+  void write_segment(Particles& block, std::size_t begin, std::size_t end, std::size_t segment) const;
 
   const Model& model_;
   TotalBody& body_;
@@ -104,19 +116,21 @@ class NodalBody {
   std::vector<std::uint32_t> shared_groups_;  ///< begins in NodalLayout::shared
   std::vector<kernels::LawParameters> laws_;
   AlignedArray memory_;
+  AlignedArray start_momentum_;  ///< P0, where any particle has a velocity at the start
+  AlignedArray per_mass_;
   kernels::NodeArrays nodes_{};
   double* P0_[3] = {};
-  double* per_mass_ = nullptr;
   AlignedArray history_;
-  std::vector<std::uint32_t> special_;  ///< nodes of the ReferenceGrid that the kernels leave alone
-  std::vector<double> special_mass_;    ///< per node of the ReferenceGrid: m_I, or 0
-  std::vector<Vec3> special_momentum_;  ///< per special node: what has been mapped, before anything holds it
+  std::vector<std::uint32_t> special_;  ///< nodes that the kernels leave alone; to the conditions 0, 1, 2, ...
+  std::vector<double> special_mass_;    ///< m_I of each
+  std::vector<Vec3> special_momentum_;  ///< what has been mapped to each, before anything holds it
   AlignedArray body_force_[3];          ///< per node, N: sum of phi_Ip m_p b_p; empty without
   std::vector<Vec3> start_velocity_;    ///< per particle of the body; one where all are alike
   double start_square_ = 0;             ///< sum of m v(0)^2
   bool moves_ = false;                  ///< whether any particle had a velocity at the start
   double share_ = 1;                    ///< product of all FLIP shares
   StressOutcome outcome_;
+  std::size_t stiffest_ = 0;  ///< segment, when speeds were last looked for
   std::vector<kernels::StressResult> slab_results_;
   std::vector<kernels::ForceResult> chunk_results_;
 };

@@ -59,33 +59,15 @@ std::uint32_t node_at(const NodalLayout& layout, std::int32_t x, std::int32_t y,
   return static_cast<std::uint32_t>((block - layout.blocks.begin()) * kSegment + x % kSegment);
 }
 
-bool is_regular(const Model& model, const ReferenceGrid& grid, std::size_t body_begin, std::size_t begin,
-                std::size_t end) {
-  const int corners = grid.corners();
-  if (end - begin != static_cast<std::size_t>(corners)) return false;
-  unsigned seen = 0;
-  for (std::size_t p = begin; p < end; ++p) {
-    const Vec3& xi = grid.xi[p - body_begin];
-    unsigned corner = 0;
-    for (int a = 0; a < grid.dimension; ++a) {
-      const double off = std::abs(std::abs(xi[a] - 0.5) - 0.25);
-      if (off > kOffPlace) return false;
-      if (xi[a] > 0.5) corner |= 1u << a;
-    }
-    seen |= 1u << corner;
-    if (model.particles.mass[p] != model.particles.mass[begin] ||
-        model.particles.reference_volume[p] != model.particles.reference_volume[begin])
-      return false;
-  }
-  return seen == (1u << corners) - 1;
-}
-
 /// The particles of one material in a cell of a group.
 struct Lane {
+  std::size_t cell = 0;
   int lane = 0;
   std::size_t begin = 0, end = 0;
 };
 
+/// The segments of all groups, first their sizes, so that memory is taken once and no more than needed; then what the
+/// kernels know of their particles.
 class Builder {
  public:
   Builder(NodalLayout& layout, const Model& model, const TotalBody& body,
@@ -93,80 +75,117 @@ class Builder {
       : layout_(layout), model_(model), body_(body), laws_(laws) {}
 
   /// One segment for each material of the group.
-  void add(const Group& group) {
+  void lay(const Group& group) {
+    for (std::int32_t material = 0; material < static_cast<std::int32_t>(laws_.size()); ++material)
+      if (find_lanes(group, material)) lay(group, material);
+  }
+
+  void make_room() {
+    layout_.points.assign(points_, 0);
+    layout_.slots.assign(slots_, NodalLayout::kEmpty);
+  }
+
+  void fill(const Group& group) {
     for (std::int32_t material = 0; material < static_cast<std::int32_t>(laws_.size()); ++material) {
-      const std::vector<Lane> lanes = lanes_of(group, material);
-      if (!lanes.empty()) add(group, material, lanes);
+      if (!find_lanes(group, material)) continue;
+      const Segment& segment = layout_.segments[filled_];
+      segment.kind == kernels::CellKind::regular ? fill_regular(segment) : fill_cut(segment);
+      ++filled_;
     }
   }
 
  private:
-  std::vector<Lane> lanes_of(const Group& group, std::int32_t material) const {
-    std::vector<Lane> lanes;
+  /// Of the material in the group, into lanes_; whether there are any.
+  bool find_lanes(const Group& group, std::int32_t material) {
+    lanes_.clear();
     const auto& materials = model_.particles.material;
     for (std::size_t c = group.begin; c < group.end; ++c) {
       const auto first = materials.begin() + static_cast<std::ptrdiff_t>(body_.grid.cell_begin[c]);
       const auto last = materials.begin() + static_cast<std::ptrdiff_t>(body_.grid.cell_begin[c + 1]);
       const auto range = std::equal_range(first, last, material);
       if (range.first != range.second)
-        lanes.push_back({body_.grid.cells[c][0] - group.x, static_cast<std::size_t>(range.first - materials.begin()),
-                         static_cast<std::size_t>(range.second - materials.begin())});
+        lanes_.push_back({c, body_.grid.cells[c][0] - group.x,
+                          static_cast<std::size_t>(range.first - materials.begin()),
+                          static_cast<std::size_t>(range.second - materials.begin())});
     }
-    return lanes;
+    return !lanes_.empty();
   }
 
-  void add(const Group& group, std::int32_t material, const std::vector<Lane>& lanes) {
+  Vec3 place(const Lane& lane, std::size_t p) const {
+    return body_.grid.place(lane.cell, p - body_.begin, model_.particles.reference_position[p]);
+  }
+
+  bool is_regular(const Lane& lane) const {
+    const Particles& particles = model_.particles;
+    const int corners = body_.grid.corners();
+    if (lane.end - lane.begin != static_cast<std::size_t>(corners)) return false;
+    unsigned seen = 0;
+    for (std::size_t p = lane.begin; p < lane.end; ++p) {
+      const Vec3 xi = place(lane, p);
+      unsigned corner = 0;
+      for (int a = 0; a < body_.grid.dimension; ++a) {
+        const double off = std::abs(std::abs(xi[a] - 0.5) - 0.25);
+        if (off > kOffPlace) return false;
+        if (xi[a] > 0.5) corner |= 1u << a;
+      }
+      seen |= 1u << corner;
+      if (particles.mass[p] != particles.mass[lane.begin] ||
+          particles.reference_volume[p] != particles.reference_volume[lane.begin])
+        return false;
+    }
+    return seen == (1u << corners) - 1;
+  }
+
+  void lay(const Group& group, std::int32_t material) {
     Segment segment{};
     for (int row = 0; row < (layout_.dimension == 2 ? 2 : 4); ++row)
       segment.read[row] = segment.add[row] = node_at(layout_, group.x, group.y + (row & 1), group.z + (row >> 1));
     segment.law = static_cast<std::uint16_t>(material);
-    const bool regular = std::all_of(lanes.begin(), lanes.end(), [&](const Lane& l) {
-      return is_regular(model_, body_.grid, body_.begin, l.begin, l.end);
-    });
+    const bool regular = std::all_of(lanes_.begin(), lanes_.end(), [&](const Lane& l) { return is_regular(l); });
     segment.kind = regular ? kernels::CellKind::regular : kernels::CellKind::cut;
-    for (const Lane& l : lanes) segment.places = std::max(segment.places, static_cast<std::uint16_t>(l.end - l.begin));
-    segment.points = layout_.points.size();
+    for (const Lane& l : lanes_) segment.places = std::max(segment.places, static_cast<std::uint16_t>(l.end - l.begin));
+    const std::size_t places = std::size_t{segment.places} * kSegment;
+    segment.points = points_;
     segment.history = layout_.history;
-    layout_.history += std::size_t{segment.places} * kSegment *
-                       static_cast<std::size_t>(history_fields(laws_[material]->kind, layout_.dimension));
-    layout_.slot_begin.push_back(layout_.slots.size());
-    layout_.slots.resize(layout_.slots.size() + std::size_t{segment.places} * kSegment, -1);
-    regular ? fill_regular(segment, lanes) : fill_cut(segment, lanes);
+    points_ += regular ? 2 * kSegment : places * static_cast<std::size_t>(layout_.dimension + 2);
+    layout_.history += places * static_cast<std::size_t>(history_fields(laws_[material]->kind, layout_.dimension));
+    layout_.slot_begin.push_back(slots_);
+    slots_ += places;
+    layout_.first.push_back(static_cast<std::uint32_t>(body_.grid.cell_begin[group.begin]));
     layout_.segments.push_back(segment);
   }
 
-  std::int64_t& slot(int place, int lane) {
-    return layout_.slots[layout_.slot_begin.back() + static_cast<std::size_t>(place * kSegment + lane)];
+  std::uint32_t& slot(int place, int lane) {
+    return layout_.slots[layout_.slot_begin[filled_] + static_cast<std::size_t>(place * kSegment + lane)];
   }
 
-  void fill_regular(const Segment& segment, const std::vector<Lane>& lanes) {
-    layout_.points.resize(layout_.points.size() + 2 * kSegment, 0);
+  void fill_regular(const Segment& segment) {
     double* points = &layout_.points[segment.points];
-    for (const Lane& l : lanes) {
+    for (const Lane& l : lanes_) {
       points[l.lane] = model_.particles.mass[l.begin];
       points[kSegment + l.lane] = model_.particles.reference_volume[l.begin];
       for (std::size_t p = l.begin; p < l.end; ++p) {
-        const Vec3& xi = body_.grid.xi[p - body_.begin];
-        slot((xi[0] > 0.5) + 2 * (xi[1] > 0.5) + 4 * (xi[2] > 0.5), l.lane) = static_cast<std::int64_t>(p);
+        const Vec3 xi = place(l, p);
+        slot((xi[0] > 0.5) + 2 * (xi[1] > 0.5) + 4 * (xi[2] > 0.5), l.lane) = static_cast<std::uint32_t>(p);
       }
     }
   }
 
   /// Empty slots keep the middle of the cell, without mass and volume.
-  void fill_cut(const Segment& segment, const std::vector<Lane>& lanes) {
+  void fill_cut(const Segment& segment) {
     const int D = layout_.dimension;
     const auto stride = static_cast<std::size_t>((D + 2) * kSegment);
-    layout_.points.resize(layout_.points.size() + segment.places * stride, 0);
     double* points = &layout_.points[segment.points];
     for (int place = 0; place < segment.places; ++place) std::fill_n(points + place * stride, D * kSegment, 0.5);
-    for (const Lane& l : lanes)
+    for (const Lane& l : lanes_)
       for (std::size_t p = l.begin; p < l.end; ++p) {
-        const int place = static_cast<int>(p - l.begin);
-        double* point = points + place * stride + l.lane;
-        for (int a = 0; a < D; ++a) point[a * kSegment] = body_.grid.xi[p - body_.begin][a];
+        const int index = static_cast<int>(p - l.begin);
+        double* point = points + index * stride + l.lane;
+        const Vec3 xi = place(l, p);
+        for (int a = 0; a < D; ++a) point[a * kSegment] = xi[a];
         point[D * kSegment] = model_.particles.reference_volume[p];
         point[(D + 1) * kSegment] = model_.particles.mass[p];
-        slot(place, l.lane) = static_cast<std::int64_t>(p);
+        slot(index, l.lane) = static_cast<std::uint32_t>(p);
       }
   }
 
@@ -174,6 +193,9 @@ class Builder {
   const Model& model_;
   const TotalBody& body_;
   const std::vector<std::optional<kernels::LawParameters>>& laws_;
+  std::vector<Lane> lanes_;
+  std::size_t points_ = 0, slots_ = 0;  ///< laid so far
+  std::size_t filled_ = 0;              ///< segments
 };
 
 /// Cuts the segments into slabs, of about equal size, where a new row of cells begins.
@@ -259,14 +281,17 @@ NodalLayout lay_out(const Model& model, const TotalBody& body,
   NodalLayout layout;
   layout.dimension = body.grid.dimension;
   layout.cell = body.grid.cell;
+  layout.origin = body.grid.origin;
   const std::vector<Group> groups = group_cells(body.grid);
   find_blocks(layout, groups);
   Builder builder(layout, model, body, laws);
   std::vector<std::uint32_t> group_of;
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
-    builder.add(groups[g]);
+    builder.lay(groups[g]);
     group_of.resize(layout.segments.size(), g);
   }
+  builder.make_room();
+  for (const Group& group : groups) builder.fill(group);
   cut_into_slabs(layout, groups, group_of);
   share_rows(layout);
   find_runs(layout, laws);

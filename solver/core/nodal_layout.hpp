@@ -21,7 +21,7 @@ struct NodeBlock {
 /// A row of nodes that a slab shares with one before it: the slab adds to a copy, which is added to the row's sums.
 struct SharedRow {
   std::uint32_t node = 0;   ///< first node
-  std::uint32_t count = 0;  ///< nodes
+  std::uint32_t count = 0;  ///< nodes, whole blocks
   std::uint32_t copy = 0;   ///< first place of the copy in the array of sums
 };
 
@@ -41,8 +41,11 @@ struct Slab {
 /// Nodes stand in blocks of eight along x, only those near occupied cells, rows after rows. Slabs are runs of whole
 /// rows of cells; rows of nodes that two slabs touch belong to the first, and the second adds to a copy.
 struct NodalLayout {
+  static constexpr std::uint32_t kEmpty = 0xffffffffu;  ///< a slot without a particle
+
   int dimension = 3;
   double cell = 0;
+  Vec3 origin{0, 0, 0};
   std::vector<NodeBlock> blocks;
   std::size_t sums = 0;  ///< places in the array of sums: nodes and copies
   std::vector<kernels::Segment> segments;
@@ -50,8 +53,9 @@ struct NodalLayout {
   std::vector<SharedRow> shared;
   AlignedArray points;                    ///< see kernels::Segment
   std::size_t history = 0;                ///< doubles
-  std::vector<std::int64_t> slots;        ///< [segment][place][lane]: index into Model::particles, or -1
+  std::vector<std::uint32_t> slots;       ///< [segment][place][lane]: index into Model::particles, or kEmpty
   std::vector<std::uint64_t> slot_begin;  ///< per segment
+  std::vector<std::uint32_t> first;       ///< per segment: the first particle of its cells; it rises
   std::vector<std::uint32_t> node_of;     ///< per node of the ReferenceGrid: its place here
 
   std::size_t nodes() const { return blocks.size() * kernels::kSegment; }

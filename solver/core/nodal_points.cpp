@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/core/f_bar.hpp"
 #include "solver/core/law_kernels.hpp"
 #include "solver/core/linear_cell.hpp"
 #include "solver/core/nodal_body.hpp"
+#include "solver/core/step_limit.hpp"
 #include "solver/materials/tensor.hpp"
 #include "solver/model/parallel.hpp"
 
@@ -43,18 +43,28 @@ Mat3 gradient(const typename LinearCell<D>::Values (&u)[D], const typename Linea
   return F;
 }
 
+/// Particle p's entry, or the field's default where none has left it.
+template <class T>
+T entry(const std::vector<T>& field, std::size_t p, const T& initial) {
+  return field.empty() ? initial : field[p];
+}
+PointHistory start_history(const Particles& particles, std::size_t p) {
+  return {entry(particles.elastic_left_cauchy_green, p, PointHistory{}.elastic_left_cauchy_green),
+          entry(particles.equivalent_plastic_strain, p, 0.0), entry(particles.plastic_work, p, 0.0)};
+}
+
 /// Whether the stress of a particle at rest is the one that its law finds.
 bool stress_is_of_law(const Particles& particles, const std::vector<PreparedLaw>& laws, std::size_t p) {
   return std::visit(
       [&](const auto& law) {
         const Motion rest = make_motion(kIdentity, kIdentity);
-        PointHistory history{particles.elastic_left_cauchy_green[p], particles.equivalent_plastic_strain[p],
-                             particles.plastic_work[p]};
+        PointHistory history = start_history(particles, p);
+        const Sym6 stress = entry(particles.stress, p, Sym6{0, 0, 0, 0, 0, 0});
         const double stiffness =
             particles.mass[p] / particles.reference_volume[p] * law.wave_speed_squared(rest, history);
         const Sym6 sigma = law.stress(rest, history);
         double off = 0;
-        for (int i = 0; i < 6; ++i) off = std::max(off, std::abs(sigma[i] - particles.stress[p][i]));
+        for (int i = 0; i < 6; ++i) off = std::max(off, std::abs(sigma[i] - stress[i]));
         return off <= 1e-12 * stiffness;
       },
       laws[particles.material[p]]);
@@ -62,17 +72,18 @@ bool stress_is_of_law(const Particles& particles, const std::vector<PreparedLaw>
 
 }  // namespace
 
-std::optional<std::string> NodalBody::obstacle(const Model& model, const TotalBody& body) {
+std::optional<std::string> NodalBody::obstacle(const Model& model, const TotalBody& body, bool average) {
   const bool mixed =
       std::any_of(body.tasks.begin(), body.tasks.end(), [](const CellTask& t) { return t.material < 0; });
-  if (!body.since.empty() && mixed) return "cells of several materials see one mean volume ratio";
+  if (average && mixed) return "cells of several materials see one mean volume ratio";
   if (model.water) return "the water's force is one of its particles' places";
   const auto kernels = kernels_of(model);
   const Particles& particles = model.particles;
   for (std::size_t p = body.begin; p < body.end; ++p) {
     const NamedMaterial& material = model.materials[particles.material[p]];
     if (!kernels[particles.material[p]]) return "material '" + material.name + "' has no kernel";
-    if (particles.deformation_gradient[p] != kIdentity || particles.position[p] != particles.reference_position[p])
+    const Vec3& X = particles.reference_position[p];
+    if (entry(particles.deformation_gradient, p, kIdentity) != kIdentity || entry(particles.position, p, X) != X)
       return "the body starts deformed";
     if (!stress_is_of_law(particles, body.laws, p)) return "the stress at the start is not that of the law";
   }
@@ -86,30 +97,15 @@ void NodalBody::fill_history() {
     const int fields = history_fields(laws_[segment.law].kind, layout_.dimension), tensor = fields - 2;
     if (fields == 0) continue;
     for (int i = 0; i < segment.places * kSegment; ++i) {
-      const std::int64_t p = layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(i)];
+      const std::uint32_t p = layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(i)];
+      const PointHistory start = p == NodalLayout::kEmpty ? PointHistory{} : start_history(model_.particles, p);
       double* history =
           &history_[segment.history + static_cast<std::size_t>(i / kSegment * fields * kSegment + i % kSegment)];
-      for (int f = 0; f < tensor; ++f)
-        history[f * kSegment] = p < 0 ? (f < 3 ? 1 : 0) : model_.particles.elastic_left_cauchy_green[p][f];
-      if (p < 0) continue;
-      history[tensor * kSegment] = model_.particles.equivalent_plastic_strain[p];
-      history[(tensor + 1) * kSegment] = model_.particles.plastic_work[p];
+      for (int f = 0; f < tensor; ++f) history[f * kSegment] = start.elastic_left_cauchy_green[f];
+      history[tensor * kSegment] = start.equivalent_plastic_strain;
+      history[(tensor + 1) * kSegment] = start.plastic_work;
     }
   }
-}
-
-PointHistory NodalBody::history_at(std::size_t s, int place, int lane, const Mat3& F) const {
-  const Segment& segment = layout_.segments[s];
-  const int fields = history_fields(laws_[segment.law].kind, layout_.dimension), tensor = fields - 2;
-  PointHistory history;
-  if (fields == 0) return history;
-  const double* stored = &history_[segment.history + static_cast<std::size_t>(place * fields * kSegment + lane)];
-  Sym6 plastic{};
-  for (int f = 0; f < tensor; ++f) plastic[f] = stored[f * kSegment];
-  history.elastic_left_cauchy_green = push_forward(F, plastic);
-  history.equivalent_plastic_strain = stored[tensor * kSegment];
-  history.plastic_work = stored[(tensor + 1) * kSegment];
-  return history;
 }
 
 template <int D, class F>
@@ -118,8 +114,8 @@ void NodalBody::scatter_segments(double* const (&field)[3], F&& value) const {
   for (std::size_t s = 0; s < layout_.segments.size(); ++s) {
     const Segment& segment = layout_.segments[s];
     for (int i = 0; i < segment.places * kSegment; ++i) {
-      const std::int64_t p = layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(i)];
-      if (p < 0) continue;
+      const std::uint32_t p = layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(i)];
+      if (p == NodalLayout::kEmpty) continue;
       const int lane = i % kSegment;
       typename Cell::Values m, weights{};
       Cell::monomials(place_in_cell(layout_, segment, i / kSegment, lane), m);
@@ -136,76 +132,77 @@ void NodalBody::scatter(double* const (&field)[3], const std::function<Vec3(std:
   layout_.dimension == 2 ? scatter_segments<2>(field, value) : scatter_segments<3>(field, value);
 }
 
-/// Mean of det F over the points of a cell, weighted by V0.
-template <int D>
-double NodalBody::mean_volume(std::size_t s, int lane) const {
+/// Of the particles [begin, end) of the model that `block` holds; `whole`: F, stress and history too.
+template <bool whole>
+void NodalBody::write_segment(Particles& block, std::size_t begin, std::size_t end, std::size_t s) const {
   const Segment& segment = layout_.segments[s];
-  typename LinearCell<D>::Values U[D], m;
-  gather<D>(nodes_.U, segment, lane, U);
-  double volume = 0, deformed = 0;
-  for (int place = 0; place < segment.places; ++place) {
-    const std::int64_t p = layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(place * kSegment + lane)];
-    if (p < 0) continue;
-    LinearCell<D>::monomials(place_in_cell(layout_, segment, place, lane), m);
-    const double V0 = model_.particles.reference_volume[static_cast<std::size_t>(p)];
-    volume += V0;
-    deformed += V0 * determinant(gradient<D>(U, m, 1 / layout_.cell));
-  }
-  return volume > 0 ? deformed / volume : 1;
-}
-
-template <int D, bool whole>
-void NodalBody::write_segment(Particles& particles, std::size_t s) const {
-  using Cell = LinearCell<D>;
-  const Segment& segment = layout_.segments[s];
-  const std::int64_t* slots = &layout_.slots[layout_.slot_begin[s]];
-  for (int lane = 0; lane < kSegment; ++lane) {
-    const double J_cell = whole && average_ ? mean_volume<D>(s, lane) : 0;
-    typename Cell::Values U[D], W[D], A[D], m;
-    bool gathered = false;
-    for (int place = 0; place < segment.places; ++place) {
-      const std::int64_t p = slots[place * kSegment + lane];
-      if (p < 0) continue;
-      if (!gathered) {
-        if constexpr (whole) gather<D>(nodes_.U, segment, lane, U);
-        gather<D>(nodes_.W, segment, lane, W);
-        gather<D>(nodes_.A, segment, lane, A);
-        gathered = true;
-      }
-      Cell::monomials(place_in_cell(layout_, segment, place, lane), m);
-      const std::size_t in_body = static_cast<std::size_t>(p) - body_.begin;
-      const Vec3& v0 = start_velocity_[start_velocity_.size() == 1 ? 0 : in_body];
-      for (int d = 0; d < D; ++d) {
-        particles.position[p][d] = particles.reference_position[p][d] + Cell::value(W[d], m);
-        particles.velocity[p][d] = share_ * v0[d] + Cell::value(A[d], m);
+  const auto kernel = kernels_.states[static_cast<int>(laws_[segment.law].kind)][layout_.dimension - 2][average_];
+  std::vector<kernels::PointState> places(segment.places);
+  kernel(stress_sweep_of(const_cast<double*>(history_.data()), false), segment, places.data());
+  const int fields = history_fields(laws_[segment.law].kind, layout_.dimension);
+  for (int place = 0; place < segment.places; ++place)
+    for (int lane = 0; lane < kSegment; ++lane) {
+      const std::uint32_t slot =
+          layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(place * kSegment + lane)];
+      if (slot == NodalLayout::kEmpty || slot < begin || slot >= end) continue;
+      const std::size_t p = slot - begin;
+      const kernels::PointState& state = places[static_cast<std::size_t>(place)];
+      const Vec3& v0 = start_velocity_[start_velocity_.size() == 1 ? 0 : slot - body_.begin];
+      for (int d = 0; d < layout_.dimension; ++d) {
+        block.position[p][d] = block.reference_position[p][d] + state.displacement[d][lane];
+        block.velocity[p][d] = share_ * v0[d] + state.velocity[d][lane];
       }
       if constexpr (!whole) continue;
-      Mat3 F = gradient<D>(U, m, 1 / layout_.cell);
-      if (average_) F = dilated<D>(F, dilation<D>(J_cell / determinant(F)));
-      particles.deformation_gradient[p] = F;
-      PointHistory history = history_at(s, place, lane, F);
-      particles.elastic_left_cauchy_green[p] = history.elastic_left_cauchy_green;
-      particles.equivalent_plastic_strain[p] = history.equivalent_plastic_strain;
-      particles.plastic_work[p] = history.plastic_work;
-      // Without a step the law finds the stress that goes with the history.
-      const Motion motion = make_motion(F, F);
-      if (motion.J > 0)
-        particles.stress[p] =
-            std::visit([&](const auto& law) { return law.stress(motion, history); }, body_.laws[particles.material[p]]);
+      for (int i = 0; i < 9; ++i) block.deformation_gradient[p][i] = state.F[i][lane];
+      for (int i = 0; i < 6; ++i) block.elastic_left_cauchy_green[p][i] = state.b_e[i][lane];
+      if (determinant(block.deformation_gradient[p]) > 0)
+        for (int i = 0; i < 6; ++i) block.stress[p][i] = state.stress[i][lane];
+      if (fields == 0) continue;
+      const double* history =
+          &history_[segment.history + static_cast<std::size_t>((place + 1) * fields * kSegment + lane)];
+      block.equivalent_plastic_strain[p] = history[-2 * kSegment];
+      block.plastic_work[p] = history[-kSegment];
     }
-  }
 }
 
-void NodalBody::write(Particles& particles, int threads) const {
-  parallel_for(layout_.segments.size(), threads, [&](std::size_t s) {
-    layout_.dimension == 2 ? write_segment<2, true>(particles, s) : write_segment<3, true>(particles, s);
-  });
+void NodalBody::write(Particles& particles, int threads) const { write(particles, 0, particles.size(), threads); }
+
+void NodalBody::write(Particles& block, std::size_t begin, std::size_t end, int threads) const {
+  // Segments of the same cells have the same first particle.
+  const auto& first = layout_.first;
+  const auto after = std::lower_bound(first.begin(), first.end(), end);
+  const auto holds = std::upper_bound(first.begin(), after, begin);
+  const auto from = holds == first.begin() ? holds : std::lower_bound(first.begin(), holds, *(holds - 1));
+  const auto offset = static_cast<std::size_t>(from - first.begin());
+  parallel_for(static_cast<std::size_t>(after - from), threads,
+               [&](std::size_t i) { write_segment<true>(block, begin, end, offset + i); });
 }
 
 void NodalBody::write_motion(Particles& particles, int threads) const {
-  parallel_for(layout_.segments.size(), threads, [&](std::size_t s) {
-    layout_.dimension == 2 ? write_segment<2, false>(particles, s) : write_segment<3, false>(particles, s);
-  });
+  parallel_for(layout_.segments.size(), threads,
+               [&](std::size_t s) { write_segment<false>(particles, 0, particles.size(), s); });
+}
+
+StepLimit NodalBody::step_limit() const {
+  StepLimit limit;
+  double most = -1;
+  const std::uint32_t* slots = &layout_.slots[layout_.slot_begin[stiffest_]];
+  Particles cell;
+  for (int lane = 0; lane < kSegment; ++lane) {
+    std::uint32_t begin = NodalLayout::kEmpty, end = 0;  // of one material in a cell: they stand together
+    for (int place = 0; place < layout_.segments[stiffest_].places; ++place) {
+      const std::uint32_t p = slots[place * kSegment + lane];
+      if (p == NodalLayout::kEmpty) continue;
+      begin = std::min(begin, p);
+      end = std::max(end, p + 1);
+    }
+    if (end == 0) continue;
+    copy_particles(model_.particles, begin, end, cell);
+    complete_state(cell);
+    write(cell, begin, end, 1);
+    look_at_cell(limit, most, cell, body_.laws, 0, end - begin);
+  }
+  return limit;
 }
 
 /// The first particle of a segment that is turned inside out, else the first of which something is not finite.
@@ -227,9 +224,11 @@ std::int64_t NodalBody::find_bad_particle(std::size_t s) const {
   std::int64_t inverted = -1, not_finite = -1, first = -1;
   for (int place = 0; place < segment.places; ++place)
     for (int lane = 0; lane < kSegment; ++lane) {
-      const std::int64_t p = layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(place * kSegment + lane)];
-      if (p < 0) continue;
+      const std::uint32_t slot =
+          layout_.slots[layout_.slot_begin[s] + static_cast<std::size_t>(place * kSegment + lane)];
+      if (slot == NodalLayout::kEmpty) continue;
       const double J = determinant(deformation(lane, place));
+      const std::int64_t p = slot;
       const auto note = [p](std::int64_t& least) { least = least < 0 ? p : std::min(least, p); };
       note(first);
       if (!std::isfinite(J))

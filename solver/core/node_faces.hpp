@@ -45,6 +45,11 @@ class NodeFaces {
     for (const FaceNode& face : nodes_) touched[face.node] = true;
   }
 
+  /// Gives its nodes new numbers: place[node].
+  void renumber(const std::vector<std::uint32_t>& place) {
+    for (FaceNode& face : nodes_) face.node = place[face.node];
+  }
+
   /// Whether no node has friction or dashpots.
   bool empty() const { return nodes_.empty(); }
 

@@ -102,7 +102,8 @@ void check_water(const Model& model, const SolverOptions& options) {
   for (std::size_t i = 1; i < water.line.size(); ++i)
     if (!(water.line[i - 1][0] < water.line[i][0]))
       throw Error("solve", "line of the water table", shortest(water.line[i][0]) + " m", "x that rises");
-  for (const Vec3& x : model.particles.position)
+  const Particles& particles = model.particles;
+  for (const Vec3& x : particles.position.empty() ? particles.reference_position : particles.position)
     if (!std::isfinite(water_level(water, x)))
       throw Error("solve", "the water table has no value over a particle at",
                   "(" + shortest(x[0]) + ", " + shortest(x[1]) + ", " + shortest(x[2]) + ") m, local",

@@ -97,6 +97,8 @@ void connect(ReferenceGrid& grid, const Lattice& lattice, const std::vector<std:
   if (cell_keys.size() * corners > std::numeric_limits<std::uint32_t>::max())
     throw Error("solve", "number of occupied cells of a body", std::to_string(cell_keys.size()),
                 "at most " + std::to_string(std::numeric_limits<std::uint32_t>::max() / corners));
+  grid.nodes.reserve(keys.size());
+  grid.cell_nodes.reserve(cell_keys.size() * corners);
   for (std::int64_t key : keys) grid.nodes.push_back(index_of(lattice, key));
   grid.around_begin.assign(keys.size() + 1, 0);
   for (std::int64_t cell : cell_keys)
@@ -113,14 +115,14 @@ void connect(ReferenceGrid& grid, const Lattice& lattice, const std::vector<std:
 }
 
 template <int D>
-void weigh(ReferenceGrid& grid, const Model& model, const Body& body) {
+void weigh(ReferenceGrid& grid, const Model& model, const Body& body, const Places& places) {
   using Cell = LinearCell<D>;
   grid.node_mass.assign(grid.nodes.size(), 0);
   double heaviest = 0;
   for (std::size_t c = 0; c < grid.cells.size(); ++c) {
     typename Cell::Values m, sums{};
     for (std::size_t p = grid.cell_begin[c]; p < grid.cell_begin[c + 1]; ++p) {
-      Cell::monomials(grid.xi[p - body.begin], m);
+      Cell::monomials(place_of(model, body, places, p).xi, m);
       Cell::add_value(sums, m, model.particles.mass[p]);
       heaviest = std::max(heaviest, model.particles.mass[p]);
     }
@@ -138,21 +140,33 @@ void weigh(ReferenceGrid& grid, const Model& model, const Body& body) {
   }
 }
 
-/// The body's part of `order` by cell, material and id.
-void order_by_cell(std::vector<std::size_t>& order, const Model& model, const Body& body, const Places& places) {
-  const Particles& particles = model.particles;
+/// What particles of a body are sorted by: block and cell, material and id.
+using Rank = std::tuple<std::int64_t, std::int64_t, std::int32_t, std::int64_t>;
+Rank rank_of(const Model& model, const Body& body, const Places& places, std::size_t p) {
+  const LatticeIndex cell = place_of(model, body, places, p).cell;
+  return {block_key_of(body, cell), key_of(body.lattice, cell), model.particles.material[p], model.particles.id[p]};
+}
+
+bool is_in_order(const Model& model, const Body& body, const Places& places) {
   check_lattice(body);
-  std::vector<std::pair<std::int64_t, std::int64_t>> keys(body.end - body.begin);
-  for (std::size_t p = body.begin; p < body.end; ++p) {
-    const LatticeIndex cell = place_of(model, body, places, p).cell;
-    keys[p - body.begin] = {block_key_of(body, cell), key_of(body.lattice, cell)};
+  Rank last = rank_of(model, body, places, body.begin);
+  for (std::size_t p = body.begin + 1; p < body.end; ++p) {
+    const Rank next = rank_of(model, body, places, p);
+    if (!(last < next)) return false;
+    last = next;
   }
-  const auto rank = [&](std::size_t p) {
-    return std::tuple(keys[p - body.begin], particles.material[p], particles.id[p]);
-  };
+  return true;
+}
+
+/// Puts the body's part of `order` in order.
+void order_by_cell(std::vector<std::size_t>& order, const Model& model, const Body& body, const Places& places) {
+  check_lattice(body);
+  std::vector<Rank> ranks;
+  ranks.reserve(body.end - body.begin);
+  for (std::size_t p = body.begin; p < body.end; ++p) ranks.push_back(rank_of(model, body, places, p));
   std::sort(order.begin() + static_cast<std::ptrdiff_t>(body.begin),
             order.begin() + static_cast<std::ptrdiff_t>(body.end),
-            [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+            [&](std::size_t a, std::size_t b) { return ranks[a - body.begin] < ranks[b - body.begin]; });
 }
 
 std::vector<std::size_t> present_order(const Model& model) {
@@ -165,16 +179,33 @@ void put_in_order(Model& model, const std::vector<std::size_t>& order) {
   if (!std::is_sorted(order.begin(), order.end())) permute_particles(model.particles, order);
 }
 
-ReferenceGrid build_grid(const Model& model, const Body& body, const Places& places) {
+/// Of particles in order.
+std::size_t count_cells(const Model& model, const Body& body, const Places& places) {
+  std::size_t cells = 0;
+  LatticeIndex last{-1, -1, -1};
+  for (std::size_t p = body.begin; p < body.end; ++p) {
+    const LatticeIndex cell = place_of(model, body, places, p).cell;
+    cells += cell != last;
+    last = cell;
+  }
+  return cells;
+}
+
+ReferenceGrid build_grid(const Model& model, const Body& body, const Places& places, bool keep_places) {
   check_lattice(body);
   ReferenceGrid grid;
   grid.dimension = body.lattice.dimension();
   grid.cell = body.lattice.cell;
-  grid.xi.reserve(body.end - body.begin);
+  grid.origin = body.lattice.origin;
+  if (keep_places) grid.xi.reserve(body.end - body.begin);
   std::vector<std::int64_t> cell_keys;
+  const std::size_t cells = count_cells(model, body, places);
+  cell_keys.reserve(cells);
+  grid.cells.reserve(cells);
+  grid.cell_begin.reserve(cells + 1);
   for (std::size_t p = body.begin; p < body.end; ++p) {
     const Place place = place_of(model, body, places, p);
-    grid.xi.push_back(place.xi);
+    if (keep_places) grid.xi.push_back(place.xi);
     const std::int64_t key = key_of(body.lattice, place.cell);
     if (!cell_keys.empty() && cell_keys.back() == key) continue;
     cell_keys.push_back(key);
@@ -183,13 +214,16 @@ ReferenceGrid build_grid(const Model& model, const Body& body, const Places& pla
   }
   grid.cell_begin.push_back(body.end);
   connect(grid, body.lattice, cell_keys);
-  grid.dimension == 2 ? weigh<2>(grid, model, body) : weigh<3>(grid, model, body);
+  grid.dimension == 2 ? weigh<2>(grid, model, body, places) : weigh<3>(grid, model, body, places);
   return grid;
 }
 
 }  // namespace
 
 void sort_by_cell(Model& model) {
+  if (std::all_of(model.bodies.begin(), model.bodies.end(),
+                  [&](const Body& body) { return is_in_order(model, body, reference_places(model)); }))
+    return;
   std::vector<std::size_t> order = present_order(model);
   for (const Body& body : model.bodies) order_by_cell(order, model, body, reference_places(model));
   put_in_order(model, order);
@@ -201,12 +235,12 @@ void sort_by_current_cell(Model& model, const Body& body) {
   put_in_order(model, order);
 }
 
-ReferenceGrid build_reference_grid(const Model& model, const Body& body) {
-  return build_grid(model, body, reference_places(model));
+ReferenceGrid build_reference_grid(const Model& model, const Body& body, bool keep_places) {
+  return build_grid(model, body, reference_places(model), keep_places);
 }
 
 ReferenceGrid build_current_grid(const Model& model, const Body& body) {
-  return build_grid(model, body, current_places(model));
+  return build_grid(model, body, current_places(model), true);
 }
 
 GridCounts count_grid(const Model& model, const Body& body) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -21,16 +22,29 @@ using LatticeIndex = std::array<std::int32_t, 3>;
 struct ReferenceGrid {
   int dimension = 3;
   double cell = 0;                          ///< edge, m
+  Vec3 origin{0, 0, 0};                     ///< of the lattice, m
   std::vector<LatticeIndex> cells;          ///< lattice index of the lower corner
   std::vector<LatticeIndex> nodes;          ///< lattice index
   std::vector<std::size_t> cell_begin;      ///< cells + 1: range of a cell in Model::particles
   std::vector<std::uint32_t> cell_nodes;    ///< corners() per cell: index into nodes
   std::vector<std::uint32_t> around_begin;  ///< nodes + 1: range of a node in `around`
   std::vector<std::uint32_t> around;        ///< slots (cell * corners() + corner) that give to the node, ascending
-  std::vector<Vec3> xi;                     ///< per particle of the body: place in its cell, 0 to 1
+  std::vector<Vec3> xi;                     ///< per particle of the body: place in its cell, 0 to 1; may be empty
   std::vector<double> node_mass;            ///< m_I = sum phi_Ip m_p, kg; constant in time
 
   int corners() const { return 1 << dimension; }
+
+  /// Place of a particle in its cell: xi, or where that is empty found from its reference position X.
+  /// @param in_body  index within the body
+  Vec3 place(std::size_t cell_index, std::size_t in_body, const Vec3& X) const {
+    return xi.empty() ? place_of(cell_index, X) : xi[in_body];
+  }
+  Vec3 place_of(std::size_t cell_index, const Vec3& X) const {
+    Vec3 found{0, 0, 0};
+    for (int a = 0; a < dimension; ++a)
+      found[a] = std::clamp((X[a] - origin[a]) / cell - cells[cell_index][a], 0.0, 1.0);
+    return found;
+  }
 };
 
 /// Groups each body's particles by cell, within a cell by material, else in the order of their ids, those of
@@ -44,7 +58,8 @@ void sort_by_current_cell(Model& model, const Body& body);
 /// Of the reference positions.
 /// @throws Error ("solve") where a particle lies outside the lattice, or so close to a corner of its cell that a
 ///         node would get no mass.
-ReferenceGrid build_reference_grid(const Model& model, const Body& body);
+/// @param keep_places  whether to fill xi
+ReferenceGrid build_reference_grid(const Model& model, const Body& body, bool keep_places = true);
 /// Of the positions as they are now, sorted so. Particles are weighed a thousandth of a cell inside their cells at
 /// least, so that each node has mass, wherever they are.
 /// @throws Error ("solve") where a particle lies outside the lattice.

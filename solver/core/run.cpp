@@ -11,6 +11,7 @@
 #include "solver/core/formulations.hpp"
 #include "solver/core/initial_state.hpp"
 #include "solver/core/output_clock.hpp"
+#include "solver/model/spare_memory.hpp"
 
 namespace scarp {
 namespace {
@@ -58,8 +59,9 @@ struct Run {
   }
 
   void record_frame() {
-    record_step_limit();  // and brings the particles up to date
-    sink.frame(model, method.time(), report.steps);
+    record_step_limit();
+    if (!sink.takes_blocks()) method.write_particles();
+    sink.frame(model, method.states(), method.time(), report.steps);
   }
 
   void record_what_is_due(double dt) {
@@ -114,13 +116,15 @@ void report_forms(Run& run, const kernels::Kernels& kernels) {
 }
 
 void finish(Run& run) {
-  run.method.write_particles();
+  const ParticleStates states = run.method.states();
+  if (!run.sink.takes_blocks()) run.method.write_particles();
   run.report.particle_steps = run.report.steps * static_cast<std::int64_t>(run.model.particles.size());
   run.report.end_time = run.method.time();
   run.report.reference_centre = run.diagnostics.reference_centre();
-  run.report.largest_displacement = largest_displacement(run.model.particles);
+  run.report.largest_displacement = largest_displacement(states);
   const std::vector<std::int64_t> moves = run.method.reference_updates();
   for (std::size_t b = 0; b < run.report.forms.size(); ++b) run.report.forms[b].reference_updates = moves[b];
+  run.sink.end(run.model, states);
 }
 
 }  // namespace
@@ -133,6 +137,8 @@ RunReport run(Model& model, const SolverOptions& options, const OutputOptions& o
   report_forms(run, kernels);
   refuse_endless(options.end_time, method.stable_time_step());
   if (auto failure = relax(method, model, options)) run.fail(*failure);
+  if (sink.takes_blocks() && !sink.watches() && method.all_nodal()) drop_state(model.particles);
+  return_spare_memory();
   const double first_stable = method.stable_time_step();
   if (!run.report.failed && !method.failure()) {
     run.record(0);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "solver/materials/tensor.hpp"
 #include "solver/model/error.hpp"
@@ -15,10 +16,24 @@
 namespace scarp {
 namespace {
 
+struct Point {
+  Vec3 X, x;
+  double V0, mass;
+  double volume;  ///< as it is now
+
+  Point(const Particles& P, std::size_t p)
+      : X(P.reference_position[p]),
+        x(P.position[p]),
+        V0(P.reference_volume[p]),
+        mass(P.mass[p]),
+        volume(V0 * determinant(P.deformation_gradient[p])) {}
+};
+
+/// The moved points are not kept: whoever wants them goes over all once more.
 struct Scene {
-  const Particles& particles;
+  const ParticleStates& states;
   const Domain& domain;
-  std::vector<std::size_t> moved;
+  double threshold;
 
   int up() const { return domain.dimension - 1; }
   bool flat() const { return domain.dimension == 2; }
@@ -27,19 +42,24 @@ struct Scene {
     v[up()] = 0;
     return v;
   }
+  template <class F>
+  void each_moved(F&& f) const {
+    states.each_block([&](const Particles& block) { each_moved(block, f); });
+  }
+  template <class F>
+  void each_moved(const Particles& P, F&& f) const {
+    for (std::size_t p = 0; p < P.size(); ++p)
+      if (norm(P.position[p] - P.reference_position[p]) >= threshold) f(Point(P, p));
+  }
 };
 
-/// Least and largest of `value(p)` over the moved points.
-template <class F>
-std::pair<double, double> range(const Scene& scene, F&& value) {
+struct Range {
   double least = INFINITY, most = -INFINITY;
-  for (const std::size_t p : scene.moved) {
-    const double v = value(p);
+  void add(double v) {
     least = std::min(least, v);
     most = std::max(most, v);
   }
-  return {least, most};
-}
+};
 
 using PlanCell = std::array<std::int64_t, 2>;
 
@@ -50,19 +70,13 @@ PlanCell plan_cell(const Scene& scene, const Vec3& x) {
   return {index(0), scene.flat() ? 0 : index(1)};
 }
 
-void measure_footprints(RunOut& r, const Scene& scene) {
-  struct Column {
-    bool before = false, after = false;
-    double volume = 0;
-  };
-  std::map<PlanCell, Column> columns;  // ordered, so that sums have one order
-  const Particles& P = scene.particles;
-  for (const std::size_t p : scene.moved) {
-    columns[plan_cell(scene, P.reference_position[p])].before = true;
-    Column& now = columns[plan_cell(scene, P.position[p])];
-    now.after = true;
-    now.volume += P.reference_volume[p] * determinant(P.deformation_gradient[p]);
-  }
+struct Column {
+  bool before = false, after = false;
+  double volume = 0;
+};
+using Columns = std::map<PlanCell, Column>;  // ordered, so that sums have one order
+
+void measure_footprints(RunOut& r, const Scene& scene, const Columns& columns) {
   const double area = scene.flat() ? scene.domain.cell : scene.domain.cell * scene.domain.cell;
   double volume = 0;
   for (const auto& [cell, column] : columns) {
@@ -73,6 +87,35 @@ void measure_footprints(RunOut& r, const Scene& scene) {
     volume += column.volume;
   }
   r.deposit_thickness_mean = volume / r.footprint_after;
+}
+
+/// The first look: volumes, centres, footprints. The highest point before, if any has moved.
+std::optional<Point> measure_moved(RunOut& r, const Scene& scene) {
+  std::optional<Point> highest;
+  Columns columns;
+  double mass = 0, all = 0;
+  const int up = scene.up();
+  const auto add = [&](const Point& point) {
+    r.moved_volume += point.V0;
+    mass += point.mass;
+    r.centre_before = r.centre_before + point.mass * point.X;
+    r.centre_after = r.centre_after + point.mass * point.x;
+    columns[plan_cell(scene, point.X)].before = true;
+    Column& now = columns[plan_cell(scene, point.x)];
+    now.after = true;
+    now.volume += point.volume;
+    if (!highest || point.X[up] > highest->X[up]) highest = point;
+  };
+  scene.states.each_block([&](const Particles& block) {
+    for (const double V : block.reference_volume) all += V;
+    scene.each_moved(block, add);
+  });
+  if (!highest) return highest;
+  r.moved_share = r.moved_volume / all;
+  r.centre_before = (1 / mass) * r.centre_before;
+  r.centre_after = (1 / mass) * r.centre_after;
+  measure_footprints(r, scene, columns);
+  return highest;
 }
 
 /// The unit vector along which the moved mass went, or as asked; zero and why.
@@ -89,69 +132,58 @@ void find_direction(RunOut& r, const Scene& scene, const RunOutOptions& options)
   r.direction = (1 / norm(along)) * along;
 }
 
-void measure_along(RunOut& r, const Scene& scene) {
-  const Particles& P = scene.particles;
-  const auto before = range(scene, [&](std::size_t p) { return dot(P.reference_position[p], r.direction); });
-  const auto after = range(scene, [&](std::size_t p) { return dot(P.position[p], r.direction); });
-  r.run_out = after.second - before.second;
-  r.deposit_length = after.second - after.first;
-  if (scene.flat()) {
-    r.deposit_width = Extent::none("plane strain");
-    return;
-  }
-  const Vec3 across = cross({0, 0, 1}, r.direction);
-  const auto sides = range(scene, [&](std::size_t p) { return dot(P.position[p], across); });
-  r.deposit_width = sides.second - sides.first;
+double half_spacing(const Scene& scene, const Point& point) {
+  return 0.5 * std::pow(point.V0, 1.0 / scene.domain.dimension);
 }
 
-double half_spacing(const Scene& scene, std::size_t p) {
-  return 0.5 * std::pow(scene.particles.reference_volume[p], 1.0 / scene.domain.dimension);
-}
-
-/// Of the moved points within half a spacing of the highest before: the foremost and the rearmost along.
-struct Crest {
-  std::size_t front = 0, rear = 0;
+/// The second look, along the direction.
+struct Reach {
+  Range before, after, sides;
+  Point crest_front, crest_rear;  ///< of the moved points within half a spacing of the highest before
+  Point front;                    ///< the foremost after
 };
-Crest find_crest(const RunOut& r, const Scene& scene) {
-  const Particles& P = scene.particles;
-  const int up = scene.up();
-  std::size_t highest = scene.moved.front();
-  for (const std::size_t p : scene.moved)
-    if (P.reference_position[p][up] > P.reference_position[highest][up]) highest = p;
-  const double top = P.reference_position[highest][up];
-  const double half = half_spacing(scene, highest);
-  Crest crest{highest, highest};
-  const auto along = [&](std::size_t p) { return dot(P.reference_position[p], r.direction); };
-  for (const std::size_t p : scene.moved) {
-    if (P.reference_position[p][up] < top - half) continue;
-    if (along(p) > along(crest.front)) crest.front = p;
-    if (along(p) < along(crest.rear)) crest.rear = p;
-  }
-  return crest;
+
+Reach find_reach(const RunOut& r, const Scene& scene, const Point& highest) {
+  Reach reach{{}, {}, {}, highest, highest, highest};
+  const Vec3 across = cross({0, 0, 1}, r.direction);
+  const double crest = highest.X[scene.up()] - half_spacing(scene, highest);
+  scene.each_moved([&](const Point& point) {
+    const double before = dot(point.X, r.direction), after = dot(point.x, r.direction);
+    if (after > reach.after.most) reach.front = point;
+    reach.before.add(before);
+    reach.after.add(after);
+    reach.sides.add(dot(point.x, across));
+    if (point.X[scene.up()] < crest) return;
+    if (before > dot(reach.crest_front.X, r.direction)) reach.crest_front = point;
+    if (before < dot(reach.crest_rear.X, r.direction)) reach.crest_rear = point;
+  });
+  return reach;
 }
 
-/// Of the moved points within half a spacing of the foremost after, the lowest.
-std::size_t find_toe(const RunOut& r, const Scene& scene) {
-  const Particles& P = scene.particles;
-  const int up = scene.up();
-  const auto along = [&](std::size_t p) { return dot(P.position[p], r.direction); };
-  std::size_t toe = scene.moved.front();
-  for (const std::size_t p : scene.moved)
-    if (along(p) > along(toe)) toe = p;
-  const double front = along(toe) - half_spacing(scene, toe);
-  for (const std::size_t p : scene.moved)
-    if (along(p) >= front && P.position[p][up] < P.position[toe][up]) toe = p;
+void measure_along(RunOut& r, const Scene& scene, const Reach& reach) {
+  r.run_out = reach.after.most - reach.before.most;
+  r.deposit_length = reach.after.most - reach.after.least;
+  if (scene.flat())
+    r.deposit_width = Extent::none("plane strain");
+  else
+    r.deposit_width = reach.sides.most - reach.sides.least;
+}
+
+/// The third look: of the moved points within half a spacing of the foremost after, the lowest.
+Point find_toe(const RunOut& r, const Scene& scene, const Reach& reach) {
+  Point toe = reach.front;
+  const double front = reach.after.most - half_spacing(scene, reach.front);
+  scene.each_moved([&](const Point& point) {
+    if (dot(point.x, r.direction) >= front && point.x[scene.up()] < toe.x[scene.up()]) toe = point;
+  });
   return toe;
 }
 
-void measure_heights(RunOut& r, const Scene& scene) {
-  const Particles& P = scene.particles;
+void measure_heights(RunOut& r, const Scene& scene, const Reach& reach) {
   const int up = scene.up();
-  const Crest crest = find_crest(r, scene);
-  r.crest_drop = P.reference_position[crest.front][up] - P.position[crest.front][up];
-  const auto before = range(scene, [&](std::size_t p) { return dot(P.reference_position[p], r.direction); });
-  r.crest_retreat = dot(P.reference_position[crest.front], r.direction) - before.first;
-  const Vec3 path = P.position[find_toe(r, scene)] - P.reference_position[crest.rear];
+  r.crest_drop = reach.crest_front.X[up] - reach.crest_front.x[up];
+  r.crest_retreat = dot(reach.crest_front.X, r.direction) - reach.before.least;
+  const Vec3 path = find_toe(r, scene, reach).x - reach.crest_rear.X;
   r.travel_angle = std::atan2(-path[up], dot(path, r.direction)) * 180 / std::numbers::pi;
 }
 
@@ -168,45 +200,28 @@ bool is_vertical(const Vec3& gravity, int up) {
   return gravity[up] < 0 && -gravity[up] >= std::cos(std::numbers::pi / 180) * norm(gravity);
 }
 
-void measure_moved(RunOut& r, const Scene& scene) {
-  const Particles& P = scene.particles;
-  double mass = 0, all = 0;
-  for (const double V : P.reference_volume) all += V;
-  for (const std::size_t p : scene.moved) {
-    r.moved_volume += P.reference_volume[p];
-    mass += P.mass[p];
-    r.centre_before = r.centre_before + P.mass[p] * P.reference_position[p];
-    r.centre_after = r.centre_after + P.mass[p] * P.position[p];
-  }
-  r.moved_share = r.moved_volume / all;
-  r.centre_before = (1 / mass) * r.centre_before;
-  r.centre_after = (1 / mass) * r.centre_after;
-}
-
 }  // namespace
 
-RunOut measure_run_out(const Particles& particles, const Domain& domain, const Vec3& gravity,
+RunOut measure_run_out(const ParticleStates& states, const Domain& domain, const Vec3& gravity,
                        const RunOutOptions& options) {
   RunOut r;
   r.threshold = options.threshold.value_or(domain.cell);
-  Scene scene{particles, domain, {}};
-  for (std::size_t p = 0; p < particles.size(); ++p)
-    if (norm(particles.position[p] - particles.reference_position[p]) >= r.threshold) scene.moved.push_back(p);
-  if (scene.moved.empty()) {
+  const Scene scene{states, domain, r.threshold};
+  const std::optional<Point> highest = measure_moved(r, scene);
+  if (!highest) {
     r.why_nothing = "nothing moved by " + shortest(r.threshold) + " m";
     refuse_along(r, r.why_nothing);
     return r;
   }
-  measure_moved(r, scene);
-  measure_footprints(r, scene);
   find_direction(r, scene, options);
   if (!r.why_no_direction.empty()) {
     refuse_along(r, r.why_no_direction);
     return r;
   }
-  measure_along(r, scene);
+  const Reach reach = find_reach(r, scene, *highest);
+  measure_along(r, scene, reach);
   if (is_vertical(gravity, scene.up()))
-    measure_heights(r, scene);
+    measure_heights(r, scene, reach);
   else
     refuse_heights(r, "gravity is not vertical");
   return r;

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "solver/model/domain.hpp"
-#include "solver/model/particles.hpp"
+#include "solver/model/particle_states.hpp"
 #include "solver/model/run_out_options.hpp"
 
 namespace scarp {
@@ -56,7 +56,7 @@ struct RunOut {
 };
 
 /// @param gravity  for the heights' figures, which need it vertical within 1 degree
-RunOut measure_run_out(const Particles& particles, const Domain& domain, const Vec3& gravity,
+RunOut measure_run_out(const ParticleStates& states, const Domain& domain, const Vec3& gravity,
                        const RunOutOptions& options);
 
 }  // namespace scarp

@@ -30,28 +30,33 @@ void name_particle(StepLimit& limit, const Particles& particles, std::size_t p) 
 
 }  // namespace
 
+void look_at_cell(StepLimit& limit, double& most, const Particles& particles, const std::vector<PreparedLaw>& laws,
+                  std::size_t begin, std::size_t end, const TotalBody* body) {
+  double mass = 0, stiffness = 0, stiffest = -1;
+  std::size_t place = begin;
+  for (std::size_t p = begin; p < end; ++p) {
+    const Mat3* base = body ? base_of(*body, p) : nullptr;
+    const double c2 = wave_speed_squared(particles, p, laws[particles.material[p]],
+                                         [&](const auto& law, const Motion& motion, const PointHistory& history) {
+                                           return grid_wave_speed_squared(law, motion, history, base);
+                                         });
+    mass += particles.mass[p];
+    stiffness += particles.mass[p] * c2;
+    if (!(c2 > stiffest)) continue;
+    stiffest = c2;
+    place = p;
+  }
+  if (!(stiffness / mass > most)) return;
+  most = stiffness / mass;
+  limit.wave_speed = std::sqrt(most);
+  name_particle(limit, particles, place);
+}
+
 StepLimit find_step_limit(const Particles& particles, const TotalBody& body) {
   StepLimit limit;
   double most = -1;
-  for (std::size_t cell = 0; cell + 1 < body.grid.cell_begin.size(); ++cell) {
-    double mass = 0, stiffness = 0, stiffest = -1;
-    std::size_t place = body.grid.cell_begin[cell];
-    for (std::size_t p = place; p < body.grid.cell_begin[cell + 1]; ++p) {
-      const double c2 = wave_speed_squared(particles, p, body.laws[particles.material[p]],
-                                           [&](const auto& law, const Motion& motion, const PointHistory& history) {
-                                             return grid_wave_speed_squared(law, motion, history, base_of(body, p));
-                                           });
-      mass += particles.mass[p];
-      stiffness += particles.mass[p] * c2;
-      if (!(c2 > stiffest)) continue;
-      stiffest = c2;
-      place = p;
-    }
-    if (!(stiffness / mass > most)) continue;
-    most = stiffness / mass;
-    limit.wave_speed = std::sqrt(most);
-    name_particle(limit, particles, place);
-  }
+  for (std::size_t cell = 0; cell + 1 < body.grid.cell_begin.size(); ++cell)
+    look_at_cell(limit, most, particles, body.laws, body.grid.cell_begin[cell], body.grid.cell_begin[cell + 1], &body);
   return limit;
 }
 

@@ -17,6 +17,12 @@ namespace scarp {
 /// are the caller's.
 StepLimit find_step_limit(const Particles& particles, const TotalBody& body);
 
+/// One cell of such a body, particles [begin, end): takes the place of what `limit` names where it is stiffer than
+/// `most`, the c^2 of that.
+/// @param body  asked for its moved reference configuration, if it may have one
+void look_at_cell(StepLimit& limit, double& most, const Particles& particles, const std::vector<PreparedLaw>& laws,
+                  std::size_t begin, std::size_t end, const TotalBody* body = nullptr);
+
 /// The particle of updated-Lagrangian bodies with the fastest waves, or the fastest one where it outruns them.
 StepLimit find_step_limit(const Particles& particles, const UpdatedGrid& grid, const std::vector<PreparedLaw>& laws);
 

@@ -17,6 +17,7 @@
 #include "solver/core/total_loads.hpp"
 #include "solver/core/transfer.hpp"
 #include "solver/core/xpic.hpp"
+#include "solver/model/spare_memory.hpp"
 
 namespace scarp {
 namespace {
@@ -34,6 +35,26 @@ NodeStep nodes_of(TotalBody& body, double dt, double time) {
       body.grid.nodes.size(), body.grid.node_mass.data(), body.velocity.data(), body.velocity_updated.data(), dt, time};
 }
 
+template <class T>
+void give_back(std::vector<T>& values) {
+  std::vector<T>().swap(values);
+}
+
+/// What only contact and sweeps over particles ask for: before a body becomes nodal, and after.
+void forget_corners(TotalBody& body) {
+  give_back(body.grid.cell_nodes);
+  give_back(body.grid.around);
+  give_back(body.grid.around_begin);
+  give_back(body.tasks);
+  give_back(body.node_positions);
+}
+void forget_grid(TotalBody& body) {
+  ReferenceGrid bare;
+  bare.dimension = body.grid.dimension;
+  bare.cell = body.grid.cell;
+  body.grid = std::move(bare);
+}
+
 }  // namespace
 
 TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int threads,
@@ -48,30 +69,42 @@ TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int
   sort_by_cell(model);
   for (const NamedMaterial& material : model.materials) laws_.push_back(prepare(material.law));
   for (const Body& body : model.bodies)
-    if (body.formulation == Formulation::total_lagrangian) bodies_.push_back(make_total_body(model, body));
+    if (body.formulation == Formulation::total_lagrangian) bodies_.push_back(make_bare_body(model, body));
   set_loads(bodies_, model);
-  for (TotalBody& body : bodies_) {
-    body.conditions.damping = options_.damping;
-    if (options.anti_locking == AntiLocking::f_bar) average_volumes(body, model.particles);
-  }
+  for (TotalBody& body : bodies_) body.conditions.damping = options_.damping;
   choose_back_ends(options, kernels);
+  return_spare_memory();  // the grids that nodal bodies have forgotten
   reference_updates_.assign(bodies_.size(), 0);
   map_state();
 }
 
+std::optional<std::string> TotalLagrangian::obstacle(const SolverOptions& options, const TotalBody& body,
+                                                     const kernels::Kernels& kernels) const {
+  if (options.back_end == BackEnd::particle_state) return "asked for";
+  if (kernels.lanes == 1) return "there are no kernels";
+  if (reference_update_) return "its reference configuration moves";
+  if (options.transfer != Transfer::flip)
+    return "transfer = \"" + std::string(name_of(options.transfer)) + "\" goes through the particles";
+  return NodalBody::obstacle(model_, body, options.anti_locking == AntiLocking::f_bar);
+}
+
 void TotalLagrangian::choose_back_ends(const SolverOptions& options, const kernels::Kernels& kernels) {
+  const bool average = options.anti_locking == AntiLocking::f_bar;
   for (TotalBody& body : bodies_) {
-    std::optional<std::string> obstacle;
-    if (options.back_end == BackEnd::particle_state)
-      obstacle = "asked for";
-    else if (reference_update_)
-      obstacle = "its reference configuration moves";
-    else if (options.transfer != Transfer::flip)
-      obstacle = "transfer = \"" + std::string(name_of(options.transfer)) + "\" goes through the particles";
-    else
-      obstacle = NodalBody::obstacle(model_, body);
-    obstacles_.push_back(obstacle.value_or(""));
-    nodal_.push_back(obstacle ? nullptr : std::make_unique<NodalBody>(model_, body, kernels));
+    const std::optional<std::string> why_not = obstacle(options, body, kernels);
+    obstacles_.push_back(why_not.value_or(""));
+    if (why_not) {
+      complete_state(model_.particles);
+      make_room_for_sweeps(body, model_, model_.bodies[model_.particles.body[body.begin]]);
+      if (average) average_volumes(body, model_.particles);
+      use_kernels(body, model_, kernels);
+      nodal_.push_back(nullptr);
+      continue;
+    }
+    const bool contact = model_.contact.method != ContactMethod::none;
+    if (!contact) forget_corners(body);
+    nodal_.push_back(std::make_unique<NodalBody>(model_, body, average, kernels));
+    if (!contact) forget_grid(body);
   }
 }
 
@@ -115,6 +148,7 @@ void TotalLagrangian::move_references() {
 }
 
 void TotalLagrangian::write_motion() {
+  complete_state(model_.particles);
   for (const auto& body : nodal_)
     if (body) body->write_motion(model_.particles, threads_);
 }
@@ -122,17 +156,28 @@ void TotalLagrangian::write_motion() {
 void TotalLagrangian::write_particles() {
   if (particles_current_) return;
   particles_current_ = true;
+  complete_state(model_.particles);
   for (const auto& body : nodal_)
     if (body) body->write(model_.particles, threads_);
+}
+
+void TotalLagrangian::write_particles(Particles& block, std::size_t begin, std::size_t end) const {
+  for (const auto& body : nodal_)
+    if (body) body->write(block, begin, end, threads_);
 }
 
 bool TotalLagrangian::all_nodal() const {
   return std::all_of(nodal_.begin(), nodal_.end(), [](const auto& body) { return body != nullptr; });
 }
 
-HistorySample TotalLagrangian::measure() const {
+HistorySample TotalLagrangian::measure(const Vec3& about) const {
   HistorySample sum;
-  for (const auto& body : nodal_) add(sum, body->measure(options_.gravity, threads_));
+  for (const auto& body : nodal_) {
+    const HistorySample part = body->measure(options_.gravity, about, threads_);
+    add(sum, part);
+    sum.angular_momentum = sum.angular_momentum + part.angular_momentum;
+    sum.centre = sum.centre + part.centre;
+  }
   return sum;
 }
 
@@ -150,8 +195,9 @@ double TotalLagrangian::stable_time_step() const {
 StepLimit TotalLagrangian::step_limit() const {
   StepLimit limit;
   double most = 0;
-  for (const TotalBody& body : bodies_) {
-    const StepLimit of_body = find_step_limit(model_.particles, body);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const TotalBody& body = bodies_[b];
+    const StepLimit of_body = nodal_[b] ? nodal_[b]->step_limit() : find_step_limit(model_.particles, body);
     if (limit.body >= 0 && !(of_body.wave_speed / body.grid.cell > most)) continue;
     limit = of_body;
     most = of_body.wave_speed / body.grid.cell;
@@ -178,7 +224,7 @@ StressOutcome TotalLagrangian::step_nodal(NodalBody& body, const Vec3& gravity, 
   return body.outcome();
 }
 
-StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravity, double dt) {
+StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravity, double dt, bool find_speed) {
   Particles& particles = model_.particles;
   if (body_force) add_body_force(particles, body, accelerations_);  // (1)
   if (model_.water) map_water_force(particles, body, *model_.water, options_.ramp(time_, dt), threads_);
@@ -197,7 +243,7 @@ StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravi
   body.conditions.loads.hold(body.velocity);
   for (std::size_t i = 0; i < body.displacement.size(); ++i)
     body.displacement[i] = body.displacement[i] + dt * body.velocity[i];
-  return update_stress(particles, body, body.laws, dt, threads_);  // (5), (6), (1)
+  return update_stress(particles, body, body.laws, dt, threads_, find_speed);  // (5), (6), (1)
 }
 
 std::int64_t TotalLagrangian::step(double dt) {
@@ -210,7 +256,7 @@ std::int64_t TotalLagrangian::step(double dt) {
   fastest_ = 0;
   bad_particle_ = -1;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    collect(nodal_[b] ? step_nodal(*nodal_[b], gravity, dt, look) : step_particles(bodies_[b], gravity, dt),
+    collect(nodal_[b] ? step_nodal(*nodal_[b], gravity, dt, look) : step_particles(bodies_[b], gravity, dt, look),
             bodies_[b].grid.cell, fastest_, bad_particle_);
   if (!look) fastest_ = last_fastest;
   if (look && reference_update_ && !relaxing_ && bad_particle_ < 0) move_references();
@@ -222,6 +268,7 @@ std::int64_t TotalLagrangian::step(double dt) {
 void TotalLagrangian::begin_relaxing(double damping) {
   relaxing_ = true;
   options_.begin_relaxing();
+  complete_state(model_.particles);
   start_velocity_ = model_.particles.velocity;
   std::fill(model_.particles.velocity.begin(), model_.particles.velocity.end(), Vec3{0, 0, 0});
   for (TotalBody& body : bodies_) {

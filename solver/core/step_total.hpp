@@ -26,6 +26,7 @@ namespace scarp {
 class TotalLagrangian {
  public:
   /// Sorts the model's particles by cell, maps their momenta and stresses. `model` must outlive this object.
+  /// @param kernels  those without lanes, Kernels{}, have particles go one by one: the oracle of all others
   /// @throws Error ("solve", "materials") where the model cannot be run.
   TotalLagrangian(Model& model, const SolverOptions& options, int threads,
                   const kernels::Kernels& kernels = kernels::best_kernels());
@@ -46,11 +47,13 @@ class TotalLagrangian {
 
   /// Brings the particles of bodies in nodal form to the state as it stands.
   void write_particles();
+  /// The same of those among [begin, end) of the model, in a block that holds them; the model's stay as they are.
+  void write_particles(Particles& block, std::size_t begin, std::size_t end) const;
   /// The same of their positions and velocities alone.
   void write_motion();
-  /// Energies and momenta where all bodies are in nodal form.
+  /// Where all bodies are in nodal form: see NodalBody::measure.
   bool all_nodal() const;
-  HistorySample measure() const;
+  HistorySample measure(const Vec3& about) const;
   /// What the particles' affine velocities add; nothing but with APIC.
   AffineMotion affine_motion() const;
   /// Per body, in the order of the model: empty for the nodal form, else why the body is not in it.
@@ -101,11 +104,13 @@ class TotalLagrangian {
   std::vector<PreparedLaw> laws_;
   StepOptions options_;
   void choose_back_ends(const SolverOptions& options, const kernels::Kernels& kernels);
+  std::optional<std::string> obstacle(const SolverOptions& options, const TotalBody& body,
+                                      const kernels::Kernels& kernels) const;
   void map_state();
   StressOutcome map_body(TotalBody& body);
   void move_references();
   StressOutcome step_nodal(NodalBody& body, const Vec3& gravity, double dt, bool find_speed);
-  StressOutcome step_particles(TotalBody& body, const Vec3& gravity, double dt);
+  StressOutcome step_particles(TotalBody& body, const Vec3& gravity, double dt, bool find_speed);
   void find_accelerations();
 
   NodeWork work_;

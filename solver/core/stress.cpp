@@ -7,6 +7,7 @@
 
 #include "solver/core/averaged_stress.hpp"
 #include "solver/core/total_sweep.hpp"
+#include "solver/core/transfer.hpp"
 #include "solver/model/parallel.hpp"
 
 namespace scarp {
@@ -19,6 +20,7 @@ struct Sweep {
   TotalBody& body;
   const std::vector<PreparedLaw>& laws;
   double dt;
+  bool find_speed;
 };
 
 /// Particles [begin, end) of one cell and one law: their F, history and stress; their forces into `sums`.
@@ -86,10 +88,28 @@ void sweep_mixed(const Sweep& sweep, CellTask& task) {
   }
 }
 
+/// Whether the task's cells go by packs of particles.
+bool has_kernel(const TotalBody& body, const CellTask& task) {
+  return body.kernels && body.base.empty() && task.material >= 0 && body.law_parameters[task.material];
+}
+
+template <int D>
+void sweep_packs(const Sweep& sweep, CellTask& task) {
+  const kernels::LawParameters& law = *sweep.body.law_parameters[task.material];
+  kernels::CellSweep packs = cell_sweep(sweep.particles, sweep.body, {}, sweep.dt);
+  packs.find_speed = sweep.find_speed;
+  kernels::CellResult result;
+  sweep.body.kernels->cells.deform[static_cast<int>(law.kind)][D - 2](packs, task.begin, task.end, law, result);
+  task.largest_wave_speed_squared = result.largest_speed_squared;
+  task.bad_particle = result.bad_particle;
+}
+
 template <int D, Mode mode>
 StressOutcome sweep_body(const Sweep& sweep, int threads) {
   return sweep_tasks(sweep.body, threads, [&](CellTask& task) {
-    if (task.material < 0)
+    if (mode == Mode::update && has_kernel(sweep.body, task))
+      sweep_packs<D>(sweep, task);
+    else if (task.material < 0)
       sweep_mixed<D, mode>(sweep, task);
     else
       std::visit([&](const auto& law) { sweep_pure<D, mode>(sweep, law, task); }, sweep.laws[task.material]);
@@ -99,16 +119,16 @@ StressOutcome sweep_body(const Sweep& sweep, int threads) {
 }  // namespace
 
 StressOutcome update_stress(Particles& particles, TotalBody& body, const std::vector<PreparedLaw>& laws, double dt,
-                            int threads) {
+                            int threads, bool find_speed) {
   if (!body.since.empty()) return update_averaged_stress(particles, body, laws, dt, threads);
-  const Sweep sweep{particles, body, laws, dt};
+  const Sweep sweep{particles, body, laws, dt, find_speed};
   return body.grid.dimension == 2 ? sweep_body<2, Mode::update>(sweep, threads)
                                   : sweep_body<3, Mode::update>(sweep, threads);
 }
 
 StressOutcome map_stress(Particles& particles, TotalBody& body, const std::vector<PreparedLaw>& laws, int threads) {
   if (!body.since.empty()) return map_averaged_stress(particles, body, laws, threads);
-  const Sweep sweep{particles, body, laws, 0};
+  const Sweep sweep{particles, body, laws, 0, true};
   return body.grid.dimension == 2 ? sweep_body<2, Mode::map_only>(sweep, threads)
                                   : sweep_body<3, Mode::map_only>(sweep, threads);
 }

@@ -19,9 +19,10 @@ struct StressOutcome {
 
 /// Method.md 1.1, (5) and (6), and (1) of the next step: F <- F + dt sum v_I x grad0 phi_Ip, the law's stress, and
 /// slots <- - V0 P grad0 phi_Ip.
-/// @param laws  prepared, in the order of Model::materials
+/// @param laws        prepared, in the order of Model::materials
+/// @param find_speed  whether the outcome's wave speed is asked for
 StressOutcome update_stress(Particles& particles, TotalBody& body, const std::vector<PreparedLaw>& laws, double dt,
-                            int threads);
+                            int threads, bool find_speed = true);
 
 /// The same from the stress that the particles hold, without moving them: for the start of a run.
 StressOutcome map_stress(Particles& particles, TotalBody& body, const std::vector<PreparedLaw>& laws, int threads);

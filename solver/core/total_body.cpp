@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "solver/core/boundary.hpp"
+#include "solver/core/law_kernels.hpp"
 #include "solver/core/wave_speeds.hpp"
 
 namespace scarp {
@@ -38,13 +39,14 @@ std::vector<Vec3> positions_of(const ReferenceGrid& grid, const Lattice& lattice
   return positions;
 }
 
-}  // namespace
-
-TotalBody make_total_body(const Model& model, const Body& body) {
-  return make_total_body(model, body, build_reference_grid(model, body));
+void make_arrays(TotalBody& total) {
+  total.velocity.assign(total.grid.nodes.size(), Vec3{0, 0, 0});
+  total.velocity_updated.assign(total.grid.nodes.size(), Vec3{0, 0, 0});
+  total.slots.assign(total.grid.cell_nodes.size(), Vec3{0, 0, 0});
 }
 
-TotalBody make_total_body(const Model& model, const Body& body, ReferenceGrid grid) {
+/// All but those.
+TotalBody make_body(const Model& model, const Body& body, ReferenceGrid grid) {
   TotalBody total;
   total.begin = body.begin;
   total.end = body.end;
@@ -61,9 +63,38 @@ TotalBody make_total_body(const Model& model, const Body& body, ReferenceGrid gr
   total.inverse_mass.resize(nodes);
   std::transform(total.grid.node_mass.begin(), total.grid.node_mass.end(), total.inverse_mass.begin(),
                  [](double m) { return 1 / m; });
-  total.velocity.assign(nodes, Vec3{0, 0, 0});
-  total.velocity_updated.assign(nodes, Vec3{0, 0, 0});
-  total.slots.assign(total.grid.cell_nodes.size(), Vec3{0, 0, 0});
+  return total;
+}
+
+}  // namespace
+
+TotalBody make_bare_body(const Model& model, const Body& body) {
+  return make_body(model, body, build_reference_grid(model, body, false));
+}
+
+void make_room_for_sweeps(TotalBody& total, const Model& model, const Body& body) {
+  total.grid.xi.reserve(body.end - body.begin);
+  for (std::size_t cell = 0; cell < total.grid.cells.size(); ++cell)
+    for (std::size_t p = total.grid.cell_begin[cell]; p < total.grid.cell_begin[cell + 1]; ++p)
+      total.grid.xi.push_back(total.grid.place_of(cell, model.particles.reference_position[p]));
+  make_arrays(total);
+}
+
+void use_kernels(TotalBody& total, const Model& model, const kernels::Kernels& widest) {
+  if (widest.lanes == 1) return;
+  total.kernels = &best_filled(total.grid.cell_begin, widest);
+  total.law_parameters = kernels_of(model);
+}
+
+TotalBody make_total_body(const Model& model, const Body& body) {
+  TotalBody total = make_bare_body(model, body);
+  make_room_for_sweeps(total, model, body);
+  return total;
+}
+
+TotalBody make_total_body(const Model& model, const Body& body, ReferenceGrid grid) {
+  TotalBody total = make_body(model, body, std::move(grid));
+  make_arrays(total);
   return total;
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 /// sum_p phi_Ip f_p of the body's particles.
 template <int D>
-std::vector<Vec3> map_forces(const TotalBody& body, const ParticleForces& load) {
+std::vector<Vec3> map_forces(const TotalBody& body, const Particles& particles, const ParticleForces& load) {
   using Cell = LinearCell<D>;
   std::vector<Vec3> nodes(body.grid.nodes.size(), Vec3{0, 0, 0});
   for (std::size_t k = 0; k < load.particles.size(); ++k) {
@@ -25,7 +25,7 @@ std::vector<Vec3> map_forces(const TotalBody& body, const ParticleForces& load) 
     const auto& begin = body.grid.cell_begin;
     const std::size_t cell = std::upper_bound(begin.begin(), begin.end(), p) - begin.begin() - 1;
     typename Cell::Values m, weights{};
-    Cell::monomials(body.grid.xi[p - body.begin], m);
+    Cell::monomials(body.grid.place(cell, p - body.begin, particles.reference_position[p]), m);
     Cell::add_value(weights, m, 1);
     Cell::to_corners(weights);
     for (int c = 0; c < Cell::N; ++c) {
@@ -42,7 +42,9 @@ std::vector<bool> set_loads(TotalBody& body, const Model& model, const std::vect
   std::vector<bool> found = loads.impose(model, body.node_positions, model.particles.body[body.begin], body.held);
   body.held_now = body.held;
   for (const ParticleForces& load : forces)
-    loads.add_forces(load.table, body.grid.dimension == 2 ? map_forces<2>(body, load) : map_forces<3>(body, load),
+    loads.add_forces(load.table,
+                     body.grid.dimension == 2 ? map_forces<2>(body, model.particles, load)
+                                              : map_forces<3>(body, model.particles, load),
                      body.held);
   return found;
 }

@@ -74,7 +74,38 @@ void advance_nodes(TotalBody& body, const Vec3& gravity, double dt, int threads)
   });
 }
 
+kernels::CellSweep cell_sweep(Particles& particles, TotalBody& body, VelocityUpdate update, double dt) {
+  kernels::CellSweep sweep{};
+  sweep.position = particles.position.data()->data();
+  sweep.velocity = particles.velocity.data()->data();
+  sweep.deformation_gradient = particles.deformation_gradient.data()->data();
+  sweep.stress = particles.stress.data()->data();
+  sweep.elastic_left_cauchy_green = particles.elastic_left_cauchy_green.data()->data();
+  sweep.plastic_strain = particles.equivalent_plastic_strain.data();
+  sweep.plastic_work = particles.plastic_work.data();
+  sweep.mass = particles.mass.data();
+  sweep.reference_volume = particles.reference_volume.data();
+  sweep.xi = body.grid.xi.data()->data();
+  sweep.first = body.begin;
+  sweep.cell_begin = body.grid.cell_begin.data();
+  sweep.cell_nodes = body.grid.cell_nodes.data();
+  sweep.slots = body.slots.data()->data();
+  sweep.node_velocity = body.velocity.data()->data();
+  sweep.node_updated = body.velocity_updated.data()->data();
+  sweep.per_cell = 1 / body.grid.cell;
+  sweep.dt = dt;
+  sweep.kept = update.kept;
+  sweep.less = update.less;
+  return sweep;
+}
+
 void advance_particles(Particles& particles, TotalBody& body, VelocityUpdate update, double dt, int threads) {
+  if (body.kernels && body.filtered.empty()) {
+    const kernels::CellSweep sweep = cell_sweep(particles, body, update, dt);
+    const auto advance = body.kernels->cells.advance[body.grid.dimension - 2];
+    return parallel_for(body.tasks.size(), threads,
+                        [&](std::size_t t) { advance(sweep, body.tasks[t].begin, body.tasks[t].end); });
+  }
   if (body.grid.dimension == 2)
     for_each_cell(body, threads, [&](std::size_t cell) { advance_cell<2>(particles, body, update, dt, cell); });
   else

@@ -24,4 +24,7 @@ void advance_nodes(TotalBody& body, const Vec3& gravity, double dt, int threads)
 /// sum_p phi_Ip m_p v_p. The weights never change, so the second map of this step is also the first of the next.
 void advance_particles(Particles& particles, TotalBody& body, VelocityUpdate update, double dt, int threads);
 
+/// What the kernels see of particles and grid.
+kernels::CellSweep cell_sweep(Particles& particles, TotalBody& body, VelocityUpdate update, double dt);
+
 }  // namespace scarp

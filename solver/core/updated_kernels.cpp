@@ -2,28 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/core/updated_kernels.hpp"
 
-#include "solver/kernels/choose_kernels.hpp"
+#include "solver/core/law_kernels.hpp"
 #include "solver/materials/tensor.hpp"
 
 namespace scarp {
-namespace {
-
-/// Lanes that the particles of all cells take, filled or not.
-std::size_t lanes_taken(const UpdatedGrid& grid, int lanes) {
-  std::size_t taken = 0;
-  for (std::size_t c = 0; c < grid.cells.size(); ++c)
-    taken += (grid.cell_begin[c + 1] - grid.cell_begin[c] + lanes - 1) / lanes * lanes;
-  return taken;
-}
-
-}  // namespace
-
 void use_kernels(UpdatedGrid& grid, const Particles& particles, const kernels::Kernels& widest) {
-  grid.kernels = &widest;
-  for (const kernels::Kernels& narrower : kernels::available_kernels())
-    if (narrower.lanes < grid.kernels->lanes &&
-        lanes_taken(grid, narrower.lanes) < 0.8 * static_cast<double>(lanes_taken(grid, grid.kernels->lanes)))
-      grid.kernels = &narrower;
+  grid.kernels = &best_filled(grid.cell_begin, widest);
   grid.volume.assign(particles.size(), 0);
   for (std::uint32_t p : grid.particles)
     grid.volume[p] = determinant(particles.deformation_gradient[p]) * particles.reference_volume[p];

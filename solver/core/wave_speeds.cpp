@@ -18,7 +18,7 @@ void add_momenta(std::vector<Vec2>& sums, const Model& model, const ReferenceGri
   for (std::size_t c = 0; c < grid.cells.size(); ++c) {
     typename Cell::Values m, of_cell[2]{};
     for (std::size_t p = grid.cell_begin[c]; p < grid.cell_begin[c + 1]; ++p) {
-      Cell::monomials(grid.xi[p - begin], m);
+      Cell::monomials(grid.place(c, p - begin, model.particles.reference_position[p]), m);
       for (int i = 0; i < 2; ++i)
         Cell::add_value(of_cell[i], m, model.particles.mass[p] * wave_speeds_of(model, speeds, p)[i]);
     }

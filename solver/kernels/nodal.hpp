@@ -80,7 +80,17 @@ struct StressSweep {
 /// What a stress sweep of some segments found.
 struct StressResult {
   double largest_speed_squared = 0;  ///< of the mean over each cell of c^2
+  std::int64_t fastest_segment = 0;  ///< the first that has it
   std::int64_t bad_segment = -1;     ///< the first with a point that has J <= 0 or something not finite
+};
+
+/// What a point's place in a segment is found to be, per lane.
+struct PointState {
+  double displacement[3][kSegment];  ///< x - X, m
+  double velocity[3][kSegment];      ///< less a v(0), m/s
+  double F[9][kSegment];             ///< with averages F-bar
+  double stress[6][kSegment];        ///< Cauchy, Pa
+  double b_e[6][kSegment];
 };
 
 struct MomentumSweep {

@@ -4,6 +4,7 @@
 // The sweeps of a step over segments and over nodes, see nodal.hpp.
 #pragma once
 
+#include "solver/kernels/cell_particle_sweeps.hpp"
 #include "solver/kernels/cell_sweeps.hpp"
 #include "solver/kernels/kernels.hpp"
 #include "solver/kernels/packed_laws.hpp"
@@ -19,6 +20,7 @@ using scarp::kernels::ForceSweep;
 using scarp::kernels::kSegment;
 using scarp::kernels::MomentumSweep;
 using scarp::kernels::NodeArrays;
+using scarp::kernels::PointState;
 using scarp::kernels::Segment;
 using scarp::kernels::StressResult;
 using scarp::kernels::StressSweep;
@@ -33,6 +35,18 @@ SCARP_INLINE void gather_displacement(const StressSweep& sweep, const Segment& s
 #pragma GCC unroll 8
     for (int k = 0; k < kCorners<D>; ++k) u[c][k] *= factor;
   }
+}
+
+/// Asks for the line that a sweep will read four segments later. Points and histories are more streams than the
+/// processor foresees, and waiting for them took as long as the work.
+SCARP_INLINE void ask_ahead(const double* p, std::size_t per_segment) { __builtin_prefetch(p + 4 * per_segment, 0, 3); }
+/// The lines of one place of a segment, once for all its packs.
+template <int lines>
+SCARP_INLINE void ask_for_place(const double* place, int lane, int places) {
+  if (lane != 0) return;
+#pragma GCC unroll 8
+  for (int line = 0; line < lines; ++line)
+    ask_ahead(place + line * kSegment, static_cast<std::size_t>(places) * (lines * kSegment));
 }
 
 template <int D, class Law>
@@ -125,7 +139,9 @@ SCARP_INLINE void regular_point(const StressSweep& sweep, const Law& law, const 
   Deformation<D> d;
   regular_deformation<D>(g, point, d);
   Pack P[9];
-  point_stress<D, Law, average>(sweep, law, d, J_cell, here, history_of<D, Law>(sweep, segment, point, lane), P, sums);
+  double* const history = history_of<D, Law>(sweep, segment, point, lane);
+  ask_for_place<Law::template fields<D>>(history, lane, segment.places);
+  point_stress<D, Law, average>(sweep, law, d, J_cell, here, history, P, sums);
 #pragma GCC unroll 3
   for (int c = 0; c < D; ++c)
 #pragma GCC unroll 3
@@ -233,14 +249,16 @@ SCARP_INLINE void cut_cells(const StressSweep& sweep, const Law& law, const Segm
         for (int axis = 0; axis < D; ++axis) add_derivative<D>(sums.corner[c], m, axis, factor * P[3 * c + axis]);
     }
   };
-  each_point([&](int place, const double* point, Pack V0, const Deformation<D>& d,
-                 Pack(&P)[9]) __attribute__((always_inline)) {
-    // Averages go by volume, the stiffness of a cell by mass: the two differ in their unit alone where a
-    // segment is of one law, as all are.
-    (void)point;
-    point_stress<D, Law, average>(sweep, law, d, J_cell, V0, history_of<D, Law>(sweep, segment, place, lane), P, sums);
-    sums.weight += V0;
-  });
+  each_point([&](int place, const double* point, Pack V0, const Deformation<D>& d, Pack(&P)[9])
+                 __attribute__((always_inline)) {
+                   // Averages go by volume, the stiffness of a cell by mass: the two differ in their unit alone where a
+                   // segment is of one law, as all are.
+                   double* const history = history_of<D, Law>(sweep, segment, place, lane);
+                   ask_for_place<D + 2>(point, lane, segment.places);
+                   ask_for_place<Law::template fields<D>>(history, lane, segment.places);
+                   point_stress<D, Law, average>(sweep, law, d, J_cell, V0, history, P, sums);
+                   sums.weight += V0;
+                 });
   if constexpr (average) {
     const Pack mean = sums.mean_stress / volume;
     each_point([&](int, const double*, Pack, const Deformation<D>& d, Pack(&P)[9])
@@ -262,7 +280,7 @@ SCARP_INLINE Mask not_finite(const CellSums<D>& sums) {
 template <int D, class Law, bool average>
 void stress_sweep(const StressSweep& sweep, const Segment* begin, const Segment* end, StressResult& result) {
   RowSums<D> rows(sweep.nodes.sum);
-  Pack fastest{};
+  Pack fastest{}, where{};
   for (const Segment* segment = begin; segment != end; ++segment) {
     const Law law(sweep.laws[segment->law].value);
     rows.begin(*segment);
@@ -273,13 +291,19 @@ void stress_sweep(const StressSweep& sweep, const Segment* begin, const Segment*
       else
         cut_cells<D, Law, average>(sweep, law, *segment, lane, sums);
       for (int c = 0; c < D; ++c) rows.give(c, lane, sums.corner[c]);
-      fastest = larger(fastest, sums.stiffness / sums.weight);
+      if (sweep.find_speed) {
+        const Pack speed = sums.stiffness / sums.weight;
+        where = choose(speed > fastest, all(static_cast<double>(segment - begin)), where);
+        fastest = larger(fastest, speed);
+      }
       if (any(sums.bad | not_finite(sums)) && result.bad_segment < 0) result.bad_segment = segment - begin;
     }
   }
   rows.flush();
   const double found = largest(fastest);
-  if (found > result.largest_speed_squared) result.largest_speed_squared = found;
+  if (!(found > result.largest_speed_squared)) return;
+  result.largest_speed_squared = found;
+  result.fastest_segment = static_cast<std::int64_t>(-largest(choose(fastest == found, -where, all(-1e18))));
 }
 
 template <int D, class Law, bool average>
@@ -329,14 +353,105 @@ void energy_sweep(const StressSweep& sweep, const Segment* begin, const Segment*
   result.plastic += sum(plastic);
 }
 
-/// sum_J M_IJ a_J of cut cells, in place. One component at a time: all that it needs stays in registers.
+/// V0 of a place; 0 where there is no point.
 template <int D>
-SCARP_INLINE void cut_momentum(const double* points, int places, Pack (&a)[kCorners<D>]) {
+SCARP_INLINE Pack volume_of(const StressSweep& sweep, const Segment& segment, int place, int lane) {
+  const double* points = sweep.points + segment.points + lane;
+  return load(segment.kind == CellKind::cut ? points + (place * (D + 2) + D) * kSegment : points + kSegment);
+}
+
+/// In monomials: the places of points, which regular cells do not keep.
+template <int D>
+SCARP_INLINE void place_of(const StressSweep& sweep, const Segment& segment, int place, int lane,
+                           Pack (&m)[kCorners<D>]) {
+  if (segment.kind == CellKind::cut)
+    return monomials<D>(sweep.points + segment.points + place * ((D + 2) * kSegment) + lane, m);
+#pragma GCC unroll 8
+  for (int k = 0; k < kCorners<D>; ++k) {
+    double product = 1;
+    for (int axis = 0; axis < D; ++axis)
+      if (k >> axis & 1) product *= place >> axis & 1 ? 0.75 : 0.25;
+    m[k] = all(product);
+  }
+}
+
+/// b_e before the law sees it, which may take rounding for flow, and the stress.
+template <int D, class Law>
+SCARP_INLINE void tell_stress(const Law& law, const Deformation<D>& d, double* history, int lane, PointState& out) {
+  CurrentHistory<D> now{left_product<D>(d.F), Pack{}, Pack{}};
+  if constexpr (Law::template fields < D >> 0) {
+    const ReferenceHistory<D> memory{d, history};
+    now = {memory.elastic(), memory.plastic_strain(), Pack{}};
+  }
+  const CurrentHistory<D> told = now;
+  const Symmetric<D> tau = law.template kirchhoff<D>(now, d.J);
+  for (int i = 0; i < 6; ++i) {
+    const bool there = i < Symmetric<D>::n;
+    store(out.stress[i] + lane, there ? tau.a[i] * d.per_J : Pack{});
+    store(out.b_e[i] + lane, Law::template fields<D> == 0 ? all(i < 3 ? 1 : 0) : there ? told.b_e.a[i] : Pack{});
+  }
+}
+
+template <int D, class Law, bool average>
+void state_sweep(const StressSweep& sweep, const Segment& segment, PointState* places) {
+  const Law law(sweep.laws[segment.law].value);
+  for (int lane = 0; lane < kSegment; lane += kLanes) {
+    Pack U[D][kCorners<D>], W[D][kCorners<D>], A[D][kCorners<D>];
+    gather_displacement<D>(sweep, segment, lane, sweep.per_cell, U);
+    for (int c = 0; c < D; ++c) {
+      gather<D>(sweep.nodes.W[c], segment, lane, W[c]);
+      gather<D>(sweep.nodes.A[c], segment, lane, A[c]);
+      to_monomials<D>(U[c]);
+      to_monomials<D>(W[c]);
+      to_monomials<D>(A[c]);
+    }
+    const auto deformation = [&](int place, Deformation<D>& d) {
+      Pack m[kCorners<D>];
+      place_of<D>(sweep, segment, place, lane, m);
+      cut_deformation<D>(U, m, volume_of<D>(sweep, segment, place, lane), d);
+    };
+    Pack J_cell{}, volume{};
+    if constexpr (average) {
+      for (int place = 0; place < segment.places; ++place) {
+        Deformation<D> d;
+        deformation(place, d);
+        const Pack V0 = volume_of<D>(sweep, segment, place, lane);
+        J_cell += V0 * d.J;
+        volume += V0;
+      }
+      J_cell = choose(volume > 0.0, J_cell / choose(volume > 0.0, volume, all(1.0)), all(1.0));
+    }
+    for (int place = 0; place < segment.places; ++place) {
+      PointState& out = places[place];
+      Pack m[kCorners<D>];
+      place_of<D>(sweep, segment, place, lane, m);
+      Deformation<D> d;
+      deformation(place, d);
+      if constexpr (average) {
+        Pack scale;
+        d = averaged<D>(d, J_cell, scale);
+      }
+      for (int c = 0; c < 3; ++c) {
+        store(out.displacement[c] + lane, c < D ? value<D>(W[c < D ? c : 0], m) : Pack{});
+        store(out.velocity[c] + lane, c < D ? value<D>(A[c < D ? c : 0], m) : Pack{});
+        for (int axis = 0; axis < 3; ++axis)
+          store(out.F[3 * c + axis] + lane, c < D && axis < D ? d.F[3 * c + axis] : all(c == axis ? 1 : 0));
+      }
+      tell_stress<D>(law, d, history_of<D, Law>(sweep, segment, place, lane), lane, out);
+    }
+  }
+}
+
+/// sum_J M_IJ a_J of cut cells, in place. One component at a time: all that it needs stays in registers.
+/// @param ask  whether to ask for points ahead
+template <int D>
+SCARP_INLINE void cut_momentum(const double* points, int places, bool ask, Pack (&a)[kCorners<D>]) {
   Pack sums[kCorners<D>] = {};
   to_monomials<D>(a);
 #pragma GCC unroll 2
   for (int place = 0; place < places; ++place) {
     const double* point = points + place * ((D + 2) * kSegment);
+    if (ask) ask_for_place<D + 2>(point, 0, places);
     Pack m[kCorners<D>];
     monomials<D>(point, m);
     const Pack w = load(point + (D + 1) * kSegment) * value<D>(a, m);
@@ -365,7 +480,7 @@ void momentum_sweep(const MomentumSweep& sweep, const Segment* begin, const Segm
           for (int k = 0; k < kCorners<D>; ++k) a[c][k] *= mass;
         }
       } else {
-        for (int c = 0; c < D; ++c) cut_momentum<D>(points, segment->places, a[c]);
+        for (int c = 0; c < D; ++c) cut_momentum<D>(points, segment->places, lane == 0 && c == 0, a[c]);
       }
       for (int c = 0; c < D; ++c) rows.give(c, lane, a[c]);
     }
@@ -412,6 +527,14 @@ void velocity_sweep(const VelocitySweep& sweep, std::size_t begin, std::size_t e
   }
 }
 
+/// Adds copies to the rows that they belong to; they are zero then.
+void add_copies(double* row, double* copy, std::size_t count) {
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    add(row + i, load(copy + i));
+    store(copy + i, Pack{});
+  }
+}
+
 void log_of(const double* x, double* result, std::size_t count) {
   for (std::size_t i = 0; i < count; i += kLanes) store(result + i, natural_log(load(x + i)));
 }
@@ -444,6 +567,10 @@ void enter(scarp::kernels::Kernels& kernels, scarp::kernels::LawKind kind) {
   kernels.stress[k][0][1] = stress_sweep<2, Law, true>;
   kernels.stress[k][1][0] = stress_sweep<3, Law, false>;
   kernels.stress[k][1][1] = stress_sweep<3, Law, true>;
+  kernels.states[k][0][0] = state_sweep<2, Law, false>;
+  kernels.states[k][0][1] = state_sweep<2, Law, true>;
+  kernels.states[k][1][0] = state_sweep<3, Law, false>;
+  kernels.states[k][1][1] = state_sweep<3, Law, true>;
   kernels.energy[k][0][0] = energy_sweep<2, Law, false>;
   kernels.energy[k][0][1] = energy_sweep<2, Law, true>;
   kernels.energy[k][1][0] = energy_sweep<3, Law, false>;
@@ -466,7 +593,9 @@ scarp::kernels::Kernels kernels(const char* name) {
   table.momentum[1] = momentum_sweep<3>;
   table.forces = force_sweep;
   table.velocities = velocity_sweep;
+  table.add_copies = add_copies;
   table.particles = particle_kernels();
+  table.cells = cell_kernels();
   table.natural_log = log_of;
   table.exponential = exp_of;
   table.multiply_add = multiply_add;

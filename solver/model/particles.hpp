@@ -32,27 +32,48 @@ struct Particles {
   std::size_t size() const { return id.size(); }
 };
 
-/// THE field list: f(name, unit, vector, default). Resize, permute, write, read, checksum and finiteness
-/// checks iterate it; a new field is one member above and one line here.
+/// What does not change: f(name, unit, member, default).
+template <class F>
+void for_each_constant(F&& f) {
+  f("id", "1", &Particles::id, std::int64_t{0});
+  f("body", "1", &Particles::body, std::int32_t{0});
+  f("material", "1", &Particles::material, std::int32_t{0});
+  f("surface", "1", &Particles::surface, std::uint8_t{0});
+  f("colour", "1", &Particles::colour, Rgb8{0, 0, 0});
+  f("mass", "kg", &Particles::mass, 0.0);
+  f("reference_volume", "m3", &Particles::reference_volume, 0.0);
+  f("reference_position", "m", &Particles::reference_position, Vec3{0, 0, 0});
+}
+
+/// The state, which is most of a particle's bytes. A field of it may be empty: then all particles have its default, and
+/// stand at their reference positions. So do models come from discretize and from disk; see also run.hpp.
+template <class F>
+void for_each_of_state(F&& f) {
+  f("position", "m", &Particles::position, Vec3{0, 0, 0});
+  f("velocity", "m/s", &Particles::velocity, Vec3{0, 0, 0});
+  f("deformation_gradient", "1", &Particles::deformation_gradient, kIdentity);
+  f("stress", "Pa", &Particles::stress, Sym6{0, 0, 0, 0, 0, 0});
+  f("elastic_left_cauchy_green", "1", &Particles::elastic_left_cauchy_green, Sym6{1, 1, 1, 0, 0, 0});
+  f("equivalent_plastic_strain", "1", &Particles::equivalent_plastic_strain, 0.0);
+  f("plastic_work", "J/m3", &Particles::plastic_work, 0.0);
+  f("hardening", "1", &Particles::hardening, 0.0);
+}
+
+/// THE field list, of those two: f(name, unit, vector, default). Resize, permute, write, read, checksum and finiteness
+/// checks iterate it; a new field is one member and one line above.
 template <class P, class F>
 void for_each_field(P&& p, F&& f) {
-  constexpr Sym6 unit_tensor{1, 1, 1, 0, 0, 0};
-  f("id", "1", p.id, std::int64_t{0});
-  f("body", "1", p.body, std::int32_t{0});
-  f("material", "1", p.material, std::int32_t{0});
-  f("surface", "1", p.surface, std::uint8_t{0});
-  f("colour", "1", p.colour, Rgb8{0, 0, 0});
-  f("mass", "kg", p.mass, 0.0);
-  f("reference_volume", "m3", p.reference_volume, 0.0);
-  f("reference_position", "m", p.reference_position, Vec3{0, 0, 0});
-  f("position", "m", p.position, Vec3{0, 0, 0});
-  f("velocity", "m/s", p.velocity, Vec3{0, 0, 0});
-  f("deformation_gradient", "1", p.deformation_gradient, kIdentity);
-  f("stress", "Pa", p.stress, Sym6{0, 0, 0, 0, 0, 0});
-  f("elastic_left_cauchy_green", "1", p.elastic_left_cauchy_green, unit_tensor);
-  f("equivalent_plastic_strain", "1", p.equivalent_plastic_strain, 0.0);
-  f("plastic_work", "J/m3", p.plastic_work, 0.0);
-  f("hardening", "1", p.hardening, 0.0);
+  const auto with = [&](const char* name, const char* unit, auto member, const auto& initial) {
+    f(name, unit, p.*member, initial);
+  };
+  for_each_constant(with);
+  for_each_of_state(with);
+}
+
+/// Grows or shrinks what does not change.
+inline void resize_constants(Particles& particles, std::size_t count) {
+  for_each_constant(
+      [&](const char*, const char*, auto member, const auto& initial) { (particles.*member).resize(count, initial); });
 }
 
 /// Grows or shrinks every field; new entries get the field's default.
@@ -61,9 +82,39 @@ inline void resize_particles(Particles& particles, std::size_t count) {
                  [&](const char*, const char*, auto& values, const auto& initial) { values.resize(count, initial); });
 }
 
-/// Reorders every field: entry i becomes what stood at order[i].
+/// Fills the fields of the state that are empty.
+inline void complete_state(Particles& particles) {
+  if (particles.position.empty()) particles.position = particles.reference_position;
+  for_each_of_state([&](const char*, const char*, auto member, const auto& initial) {
+    if ((particles.*member).empty()) (particles.*member).resize(particles.size(), initial);
+  });
+}
+
+/// Gives the memory of the state back.
+inline void drop_state(Particles& particles) {
+  for_each_of_state([&](const char*, const char*, auto member, const auto&) {
+    std::remove_reference_t<decltype(particles.*member)>().swap(particles.*member);
+  });
+}
+
+/// Makes `block` particles [begin, end), with the fields that there are.
+inline void copy_particles(const Particles& particles, std::size_t begin, std::size_t end, Particles& block) {
+  const auto copy = [&](const char*, const char*, auto member, const auto&) {
+    const auto& from = particles.*member;
+    if (from.empty())
+      (block.*member).clear();
+    else
+      (block.*member)
+          .assign(from.begin() + static_cast<std::ptrdiff_t>(begin), from.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  for_each_constant(copy);
+  for_each_of_state(copy);
+}
+
+/// Reorders every field that there is: entry i becomes what stood at order[i].
 inline void permute_particles(Particles& particles, const std::vector<std::size_t>& order) {
   for_each_field(particles, [&](const char*, const char*, auto& values, const auto&) {
+    if (values.empty()) return;
     std::remove_reference_t<decltype(values)> moved;
     moved.reserve(order.size());
     for (std::size_t i : order) moved.push_back(values[i]);

@@ -23,45 +23,79 @@ const std::string kFields = "/VTKHDF/PointData";
   throw Error("store", what, found, allowed, {path.string()});
 }
 
-void check_frame(const std::filesystem::path& path, const Frame& frame) {
-  if (path.extension() != ".hdf")
-    refuse(path, "extension of a frame", "'" + path.extension().string() + "'", "'.hdf', which ParaView goes by");
-  if (frame.positions.empty()) refuse(path, "particles in a frame", "0", "at least 1");
+void check_part(const std::filesystem::path& path, const Frame& part) {
   std::set<std::string> names;
-  for (const FrameField& field : frame.fields) {
+  for (const FrameField& field : part.fields) {
     if (field.name.empty() || field.name == "." || field.name.find_first_of(std::string("/\0", 2)) != std::string::npos)
       refuse(path, "name of a field", "'" + field.name + "'", "a text without '/'");
     if (!names.insert(field.name).second) refuse(path, "name of a field", "'" + field.name + "' twice", "each once");
     const std::size_t length = std::visit([](const auto& values) { return values.size(); }, field.values);
-    if (field.components < 1 || length != frame.positions.size() * static_cast<std::size_t>(field.components))
+    if (field.components < 1 || length != part.positions.size() * static_cast<std::size_t>(field.components))
       refuse(path, "length of the field '" + field.name + "'", std::to_string(length),
-             std::to_string(frame.positions.size()) + " particles x " + std::to_string(field.components));
+             std::to_string(part.positions.size()) + " particles x " + std::to_string(field.components));
   }
 }
 
 /// One vertex cell per particle.
-void write_cells(Hdf5Writer& file, std::size_t count) {
-  constexpr std::uint8_t vtk_vertex = 1;
-  std::vector<std::int64_t> sequence(count + 1);
-  std::iota(sequence.begin(), sequence.end(), std::int64_t{0});
+void begin_cells(Hdf5Writer& file, std::size_t count) {
   const std::array<std::int64_t, 1> number{static_cast<std::int64_t>(count)};
   file.value("/VTKHDF/NumberOfPoints", number);
   file.value("/VTKHDF/NumberOfCells", number);
   file.value("/VTKHDF/NumberOfConnectivityIds", number);
-  file.array("/VTKHDF/Offsets", sequence);
-  sequence.pop_back();
-  file.array("/VTKHDF/Connectivity", sequence);
-  file.array("/VTKHDF/Types", std::vector<std::uint8_t>(count, vtk_vertex));
+  file.begin_array("/VTKHDF/Offsets", {ElementType::int64, count + 1, 1});
+  file.begin_array("/VTKHDF/Connectivity", {ElementType::int64, count, 1});
+  file.begin_array("/VTKHDF/Types", {ElementType::uint8, count, 1});
 }
 
-void write_field(Hdf5Writer& file, const FrameField& field, std::size_t count) {
-  const std::string path = kFields + "/" + field.name;
-  std::visit(
-      [&]<class T>(const std::vector<T>& values) {
-        file.array(path, {element_type<T>(), count, field.components}, values.data());
+void write_cells(Hdf5Writer& file, std::size_t first, std::size_t count, bool last) {
+  constexpr std::uint8_t vtk_vertex = 1;
+  std::vector<std::int64_t> sequence(count + last);
+  std::iota(sequence.begin(), sequence.end(), static_cast<std::int64_t>(first));
+  file.rows("/VTKHDF/Offsets", first, sequence);
+  sequence.resize(count);
+  file.rows("/VTKHDF/Connectivity", first, sequence);
+  file.rows("/VTKHDF/Types", first, std::vector<std::uint8_t>(count, vtk_vertex));
+}
+
+ArrayShape shape_of(const FrameField& field, std::size_t rows) {
+  return std::visit(
+      [&]<class T>(const std::vector<T>&) {
+        return ArrayShape{element_type<T>(), rows, field.components};
       },
       field.values);
-  file.text_attribute(path, "unit", field.unit);
+}
+
+std::string path_of(const FrameField& field) { return kFields + "/" + field.name; }
+
+/// All that the file has beside its rows.
+void begin_frame(Hdf5Writer& file, const Frame& part, std::size_t count) {
+  write_format(file, kFormat, kVersion);
+  file.group("/VTKHDF");
+  file.attribute("/VTKHDF", "Version", std::array<std::int64_t, 2>{1, 0});
+  file.text_attribute("/VTKHDF", "Type", "UnstructuredGrid");
+  file.begin_array(kPoints, {ElementType::float64, count, 3});
+  file.text_attribute(kPoints, "unit", "m");
+  begin_cells(file, count);
+  file.group(kFields);
+  for (const FrameField& field : part.fields) {
+    file.begin_array(path_of(field), shape_of(field, count));
+    file.text_attribute(path_of(field), "unit", field.unit);
+  }
+  file.value("/time", part.time);
+  file.text_attribute("/time", "unit", "s");
+  file.value("/step", part.step);
+  file.value("/origin", part.site.origin);
+  file.text_attribute("/origin", "unit", "m");
+  file.text("/crs", part.site.crs);
+}
+
+void write_part(Hdf5Writer& file, const Frame& part, std::size_t first, std::size_t count) {
+  const std::size_t rows = part.positions.size();
+  file.rows(kPoints, first, part.positions);
+  write_cells(file, first, rows, first + rows == count);
+  for (const FrameField& field : part.fields)
+    std::visit([&](const auto& values) { file.rows(path_of(field), first, shape_of(field, rows), values.data()); },
+               field.values);
 }
 
 FrameField read_field(const Hdf5Reader& file, const std::string& name, std::size_t count) {
@@ -102,26 +136,27 @@ FrameField read_field(const Hdf5Reader& file, const std::string& name, std::size
 
 }  // namespace
 
-void write_frame(const std::filesystem::path& path, const Frame& frame) {
-  check_frame(path, frame);
-  Hdf5Writer file(path);
-  write_format(file, kFormat, kVersion);
-  file.group("/VTKHDF");
-  file.attribute("/VTKHDF", "Version", std::array<std::int64_t, 2>{1, 0});
-  file.text_attribute("/VTKHDF", "Type", "UnstructuredGrid");
-  file.array(kPoints, frame.positions);
-  file.text_attribute(kPoints, "unit", "m");
-  write_cells(file, frame.positions.size());
-  file.group(kFields);
-  for (const FrameField& field : frame.fields) write_field(file, field, frame.positions.size());
+void write_frame(const std::filesystem::path& path, std::size_t particles, const FrameParts& each_part) {
+  if (path.extension() != ".hdf")
+    refuse(path, "extension of a frame", "'" + path.extension().string() + "'", "'.hdf', which ParaView goes by");
+  if (particles == 0) refuse(path, "particles in a frame", "0", "at least 1");
+  write_whole(path, [&](const std::filesystem::path& temporary) {
+    Hdf5Writer file(temporary, path);
+    std::size_t done = 0;
+    each_part([&](const Frame& part) {
+      check_part(path, part);
+      if (done == 0) begin_frame(file, part, particles);
+      write_part(file, part, done, particles);
+      done += part.positions.size();
+    });
+    if (done != particles)
+      refuse(path, "particles in the parts of a frame", std::to_string(done), std::to_string(particles));
+    file.finish();
+  });
+}
 
-  file.value("/time", frame.time);
-  file.text_attribute("/time", "unit", "s");
-  file.value("/step", frame.step);
-  file.value("/origin", frame.site.origin);
-  file.text_attribute("/origin", "unit", "m");
-  file.text("/crs", frame.site.crs);
-  write_whole(path, file.finish());
+void write_frame(const std::filesystem::path& path, const Frame& frame) {
+  write_frame(path, frame.positions.size(), [&](const auto& append) { append(frame); });
 }
 
 Frame read_frame(const std::filesystem::path& path) {

@@ -47,6 +47,12 @@ class Quiet {
   void* data_ = nullptr;
 };
 
+/// A file that the disk refused stays half open, and would be tried again when the program ends.
+void do_nothing_at_exit() {
+  static const herr_t once = H5dont_atexit();
+  static_cast<void>(once);
+}
+
 /// The innermost entry of the library's error stack: the reason, rather than who passed it on.
 std::string library_reason() {
   std::string reason;
@@ -151,12 +157,18 @@ Id dataset_properties() {
   return properties;
 }
 
-void write_dataset(const std::filesystem::path& shown, hid_t file, const std::string& path, hid_t stored, hid_t memory,
-                   hid_t space, hid_t properties, const void* values, bool empty) {
-  const Id dataset(H5Dcreate2(file, path.c_str(), stored, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
+Id create_dataset(const std::filesystem::path& shown, hid_t file, const std::string& path, hid_t stored, hid_t space,
+                  hid_t properties) {
+  Id dataset(H5Dcreate2(file, path.c_str(), stored, space, H5P_DEFAULT, properties, H5P_DEFAULT), H5Dclose);
   if (dataset < 0) fail(shown, "cannot create " + path);
-  if (!empty && H5Dwrite(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
-    fail(shown, "cannot write " + path);
+  return dataset;
+}
+
+/// A small one, of a whole.
+void write_dataset(const std::filesystem::path& shown, hid_t file, const std::string& path, hid_t stored, hid_t memory,
+                   hid_t space, const void* values) {
+  const Id dataset = create_dataset(shown, file, path, stored, space, dataset_properties());
+  if (H5Dwrite(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) fail(shown, "cannot write " + path);
 }
 
 void write_attribute(const std::filesystem::path& shown, hid_t file, const std::string& object, const std::string& name,
@@ -170,14 +182,15 @@ void write_attribute(const std::filesystem::path& shown, hid_t file, const std::
 
 }  // namespace
 
-Hdf5Writer::Hdf5Writer(std::filesystem::path shown) : shown_(std::move(shown)) {
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, std::filesystem::path shown)
+    : path_(path), shown_(std::move(shown)) {
+  do_nothing_at_exit();
   const Quiet quiet;
   const Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  constexpr std::size_t growth = std::size_t{1} << 20;
-  H5Pset_fapl_core(access, growth, false);
+  H5Pset_file_locking(access, false, true);
   const Id creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
-  file_ = H5Fcreate(shown_.c_str(), H5F_ACC_TRUNC, creation, access);
+  file_ = H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, creation, access);
   if (file_ < 0) fail(shown_, "cannot begin the file");
 }
 
@@ -196,7 +209,12 @@ void Hdf5Writer::group(const std::string& path) {
 }
 
 void Hdf5Writer::array(const std::string& path, const ArrayShape& shape, const void* values) {
-  constexpr hsize_t rows_per_chunk = 65536;
+  begin_array(path, shape);
+  if (shape.rows > 0) rows(path, 0, shape, values);
+}
+
+void Hdf5Writer::begin_array(const std::string& path, const ArrayShape& shape) {
+  constexpr hsize_t rows_per_chunk = 16384;
   const Quiet quiet;
   const int rank = shape.components == 1 ? 1 : 2;
   const hsize_t size[2] = {shape.rows, static_cast<hsize_t>(shape.components)};
@@ -208,20 +226,31 @@ void Hdf5Writer::array(const std::string& path, const ArrayShape& shape, const v
     H5Pset_shuffle(properties);
     H5Pset_deflate(properties, 1);
   }
-  write_dataset(shown_, file_, path, file_type(shape.type), memory_type(shape.type), space, properties, values,
-                shape.rows == 0);
+  const Id dataset = create_dataset(shown_, file_, path, file_type(shape.type), space, properties);
+}
+
+void Hdf5Writer::rows(const std::string& path, std::size_t first, const ArrayShape& part, const void* values) {
+  const Quiet quiet;
+  const int rank = part.components == 1 ? 1 : 2;
+  const hsize_t begin[2] = {first, 0}, size[2] = {part.rows, static_cast<hsize_t>(part.components)};
+  const Id dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
+  if (dataset < 0) fail(shown_, "cannot find " + path);
+  const Id there(H5Dget_space(dataset), H5Sclose), here(H5Screate_simple(rank, size, nullptr), H5Sclose);
+  H5Sselect_hyperslab(there, H5S_SELECT_SET, begin, nullptr, size, nullptr);
+  if (H5Dwrite(dataset, memory_type(part.type), here, there, H5P_DEFAULT, values) < 0)
+    fail(shown_, "cannot write " + path);
 }
 
 void Hdf5Writer::text(const std::string& path, std::string_view value) {
   const Quiet quiet;
-  const Id type = text_type(value), space = scalar_space(), properties = dataset_properties();
-  write_dataset(shown_, file_, path, type, type, space, properties, padded(value).data(), false);
+  const Id type = text_type(value), space = scalar_space();
+  write_dataset(shown_, file_, path, type, type, space, padded(value).data());
 }
 
 void Hdf5Writer::single(const std::string& path, ElementType type, int count, const void* value) {
   const Quiet quiet;
-  const Id space = count == 0 ? scalar_space() : vector_space(count), properties = dataset_properties();
-  write_dataset(shown_, file_, path, file_type(type), memory_type(type), space, properties, value, false);
+  const Id space = count == 0 ? scalar_space() : vector_space(count);
+  write_dataset(shown_, file_, path, file_type(type), memory_type(type), space, value);
 }
 
 void Hdf5Writer::text_attribute(const std::string& object, const std::string& name, std::string_view value) {
@@ -237,19 +266,15 @@ void Hdf5Writer::attribute(const std::string& object, const std::string& name, E
   write_attribute(shown_, file_, object, name, file_type(type), memory_type(type), space, value);
 }
 
-std::string Hdf5Writer::finish() {
+void Hdf5Writer::finish() {
   const Quiet quiet;
-  if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0) fail(shown_, "cannot complete the file");
-  const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
-  if (size < 0) fail(shown_, "cannot complete the file");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(file_, bytes.data(), bytes.size()) != size) fail(shown_, "cannot complete the file");
-  H5Fclose(std::exchange(file_, -1));
-  append_seal(bytes);
-  return bytes;
+  if (H5Fclose(std::exchange(file_, -1)) < 0) fail(shown_, "cannot complete the file");
+  H5garbage_collect();  // the library keeps its buffers for files to come
+  seal_file(path_, shown_);
 }
 
 Hdf5Reader::Hdf5Reader(std::filesystem::path path) : path_(std::move(path)) {
+  do_nothing_at_exit();
   check_seal(path_);
   size_ = std::filesystem::file_size(path_);
   const Quiet quiet;
@@ -260,6 +285,7 @@ Hdf5Reader::Hdf5Reader(std::filesystem::path path) : path_(std::move(path)) {
 Hdf5Reader::~Hdf5Reader() {
   const Quiet quiet;
   if (file_ >= 0) H5Fclose(file_);
+  H5garbage_collect();
 }
 
 void Hdf5Reader::refuse(const std::string& what, const std::string& found, const std::string& allowed) const {

@@ -46,26 +46,34 @@ struct ArrayShape {
   int components = 1;  ///< 1: the array has one dimension, otherwise rows x components
 };
 
-/// Composes an HDF5 file in memory; nothing reaches the disk before it is whole, and a full disk is met by
-/// `write_whole`, not inside the library. The same content gives the same bytes (no time stamps).
+/// Writes an HDF5 file, array by array, so that none but the caller's need be in memory. Meant for the temporary file
+/// of `write_whole`. A disk that refuses throws Error ("store"). The same calls give the same bytes (no time stamps).
 class Hdf5Writer {
  public:
-  /// @param shown the file's final path, for error messages
-  explicit Hdf5Writer(std::filesystem::path shown);
+  /// @param shown  the file's final path, for error messages
+  Hdf5Writer(const std::filesystem::path& path, std::filesystem::path shown);
+  explicit Hdf5Writer(const std::filesystem::path& path) : Hdf5Writer(path, path) {}
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
   Hdf5Writer& operator=(const Hdf5Writer&) = delete;
 
   /// Its parent must exist.
   void group(const std::string& path);
-  /// Chunked (64 Ki rows), shuffled, gzip 1: half the size of floats for a tenth of a second per 8 MB.
+  /// Chunked (16 Ki rows), shuffled, gzip 1: half the size of floats for a tenth of a second per 8 MB.
   void array(const std::string& path, const ArrayShape& shape, const void* values);
+  /// The same in parts: all rows are there, and undefined until they are written. Parts of whole chunks cost least.
+  void begin_array(const std::string& path, const ArrayShape& shape);
+  void rows(const std::string& path, std::size_t first, const ArrayShape& part, const void* values);
   void text(const std::string& path, std::string_view value);
   void text_attribute(const std::string& object, const std::string& name, std::string_view value);
 
   template <class V>
   void array(const std::string& path, const std::vector<V>& values) {
     array(path, {element_type<V>(), values.size(), Entry<V>::components}, values.data());
+  }
+  template <class V>
+  void rows(const std::string& path, std::size_t first, const std::vector<V>& values) {
+    rows(path, first, {element_type<V>(), values.size(), Entry<V>::components}, values.data());
   }
   /// A number: a dataset without dimensions; a std::array: one row of them.
   template <class V>
@@ -77,8 +85,8 @@ class Hdf5Writer {
     attribute(object, name, element_type<V>(), dimension<V>(), &value);
   }
 
-  /// Closes the file and returns its bytes, sealed (sealed_store.hpp). The writer is spent.
-  std::string finish();
+  /// Closes the file and seals it (sealed_store.hpp). The writer is spent.
+  void finish();
 
  private:
   template <class V>
@@ -88,7 +96,7 @@ class Hdf5Writer {
   void single(const std::string& path, ElementType type, int count, const void* value);
   void attribute(const std::string& object, const std::string& name, ElementType type, int count, const void* value);
 
-  std::filesystem::path shown_;
+  std::filesystem::path path_, shown_;
   std::int64_t file_ = -1;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/store/model_store.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -14,7 +15,7 @@ namespace scarp {
 namespace {
 
 constexpr std::string_view kFormat = "scarp-model";
-constexpr std::int64_t kVersion = 2;
+constexpr std::int64_t kVersion = 3;  // 3: fields of the state may be absent
 constexpr const char* kFaces[6] = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
 
 /// PARENT/000007: names are the user's and may hold anything, so groups are numbered.
@@ -216,21 +217,32 @@ VolumeReport read_volume(const Hdf5Reader& file, const std::string& group) {
 
 void write_particles(Hdf5Writer& file, const Particles& particles) {
   file.group("/particles");
-  for_each_field(particles, [&](const std::string& name, const char* unit, const auto& values, const auto&) {
+  const auto write = [&](const std::string& name, const char* unit, auto member, const auto&) {
+    const auto& values = particles.*member;
     if (values.size() != particles.size())
       throw Error("store", "length of the particle field " + name, std::to_string(values.size()),
                   std::to_string(particles.size()));
     file.array("/particles/" + name, values);
     file.text_attribute("/particles/" + name, "unit", unit);
+  };
+  for_each_constant(write);
+  for_each_of_state([&](const std::string& name, const char* unit, auto member, const auto& initial) {
+    if (!(particles.*member).empty()) write(name, unit, member, initial);
   });
 }
 
 Particles read_particles(const Hdf5Reader& file) {
   Particles particles;
-  for_each_field(particles, [&]<class V>(const std::string& name, const char*, std::vector<V>& values, const auto&) {
-    values = file.array<V>("/particles/" + name);
+  const auto read = [&](const std::string& name, const char*, auto member, const auto& initial) {
+    auto& values = particles.*member;
+    values = file.array<std::decay_t<decltype(initial)>>("/particles/" + name);
     if (values.size() != particles.size())
       file.refuse("rows of /particles/" + name, std::to_string(values.size()), std::to_string(particles.size()));
+  };
+  for_each_constant(read);
+  const std::vector<std::string> there = file.names("/particles");
+  for_each_of_state([&](const std::string& name, const char* unit, auto member, const auto& initial) {
+    if (std::find(there.begin(), there.end(), name) != there.end()) read(name, unit, member, initial);
   });
   return particles;
 }
@@ -252,10 +264,7 @@ void check_consistency(const Hdf5Reader& file, const Model& model) {
   check("material", particles.material, model.materials.size());
 }
 
-}  // namespace
-
-void write_model(const std::filesystem::path& path, const Model& model) {
-  Hdf5Writer file(path);
+void write_content(Hdf5Writer& file, const Model& model) {
   write_format(file, kFormat, kVersion);
   file.group("/site");
   file.value("/site/origin", model.site.origin);
@@ -268,7 +277,16 @@ void write_model(const std::filesystem::path& path, const Model& model) {
   write_list(file, "/volumes", model.volumes.size(),
              [&](std::size_t i, const std::string& group) { write_volume(file, group, model.volumes[i]); });
   write_particles(file, model.particles);
-  write_whole(path, file.finish());
+}
+
+}  // namespace
+
+void write_model(const std::filesystem::path& path, const Model& model) {
+  write_whole(path, [&](const std::filesystem::path& temporary) {
+    Hdf5Writer file(temporary, path);
+    write_content(file, model);
+    file.finish();
+  });
 }
 
 Model read_model(const std::filesystem::path& path) {

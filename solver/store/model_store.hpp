@@ -16,7 +16,8 @@ namespace scarp {
 ///   /materials/NNNNNN  name, model, and the law's parameters under the names of its `describe`
 ///   /bodies/NNNNNN     name, formulation, begin, end, lattice; held/NNNNNN: name, condition, axis, nodes (n x 3)
 ///   /volumes/NNNNNN    the report; by_material/NNNNNN: name, volume
-///   /particles         one array per entry of the field list, with its unit
+///   /particles         one array per entry of the field list, with its unit; those of the state that are empty are
+///   absent
 ///
 /// @throws Error ("store") naming what cannot be stored; Error ("write") if the disk refuses. One thread only.
 void write_model(const std::filesystem::path& path, const Model& model);

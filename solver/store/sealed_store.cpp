@@ -27,6 +27,28 @@ void append_little_endian(std::string& bytes, std::uint64_t word) {
   for (int i = 0; i < 8; ++i) bytes.push_back(static_cast<char>(word >> (8 * i) & 0xff));
 }
 
+std::string seal_of(std::uint64_t length, const Checksum& sum) {
+  std::string seal(kMark);
+  append_little_endian(seal, length);
+  append_little_endian(seal, sum.value());
+  return seal;
+}
+
+/// Of the first `length` bytes.
+Checksum checksum_of(std::istream& in, std::uint64_t length, const SourceLocation& where) {
+  Checksum sum;
+  std::vector<char> block(std::size_t{1} << 20);
+  in.seekg(0);
+  for (std::uint64_t done = 0; done < length;) {
+    const std::size_t part = static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), length - done));
+    in.read(block.data(), static_cast<std::streamsize>(part));
+    if (!in) throw Error("store", "cannot read the file", std::strerror(errno), {}, where);
+    sum.add({block.data(), part});
+    done += part;
+  }
+  return sum;
+}
+
 }  // namespace
 
 void Checksum::add(std::string_view bytes) {
@@ -42,10 +64,16 @@ void Checksum::add(std::string_view bytes) {
 void append_seal(std::string& bytes) {
   Checksum sum;
   sum.add(bytes);
-  const std::uint64_t length = bytes.size();
-  bytes += kMark;
-  append_little_endian(bytes, length);
-  append_little_endian(bytes, sum.value());
+  bytes += seal_of(bytes.size(), sum);
+}
+
+void seal_file(const std::filesystem::path& path, const std::filesystem::path& shown) {
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  const std::uint64_t length = std::filesystem::file_size(path);
+  const Checksum sum = checksum_of(file, length, {shown.string()});
+  file.seekp(0, std::ios::end);
+  file << seal_of(length, sum) << std::flush;
+  if (!file) throw Error("store", "cannot complete the file", std::strerror(errno), {}, {shown.string()});
 }
 
 void check_seal(const std::filesystem::path& path) {
@@ -69,17 +97,7 @@ void check_seal(const std::filesystem::path& path) {
     throw Error("store", "the file does not end with the seal of a scarp file: it is cut off, altered or not ours", {},
                 whole, where);
 
-  Checksum sum;
-  std::vector<char> block(std::size_t{1} << 20);
-  in.seekg(0);
-  for (std::uint64_t done = 0; done < length;) {
-    const std::size_t part = static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), length - done));
-    in.read(block.data(), static_cast<std::streamsize>(part));
-    if (!in) throw Error("store", "cannot read the file", std::strerror(errno), {}, where);
-    sum.add({block.data(), part});
-    done += part;
-  }
-  if (sum.value() != little_endian(seal + 16))
+  if (checksum_of(in, length, where).value() != little_endian(seal + 16))
     throw Error("store", "the file is damaged: its checksum does not match its content", {}, whole, where);
 }
 

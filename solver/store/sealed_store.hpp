@@ -26,6 +26,8 @@ class Checksum {
 
 /// Appends 24 bytes: "SCARPEND", the length before them and the checksum over it, both little-endian.
 void append_seal(std::string& bytes);
+/// The same of a file, which it reads once. @throws Error ("store") if the disk refuses, naming the path `shown`.
+void seal_file(const std::filesystem::path& path, const std::filesystem::path& shown);
 
 /// Reads the whole file once. @throws Error ("store") if it cannot be read, or is cut off, altered, or not ours.
 void check_seal(const std::filesystem::path& path);

@@ -16,7 +16,7 @@ struct RecordingSink : FrameSink {
   std::vector<double> steps;  ///< dt of each
   std::function<void(const Model&, double time)> on_frame;
 
-  void frame(const Model& model, double time, std::int64_t) override {
+  void frame(const Model& model, const ParticleStates&, double time, std::int64_t) override {
     frame_times.push_back(time);
     if (on_frame) on_frame(model, time);
   }

@@ -79,6 +79,7 @@ void add_velocity_fields(Model& model, const Scenario& scenario) {
     if (options.velocity_field.empty()) continue;
     const Field field =
         compile_field("bodies." + options.name + ".velocity_field", options.velocity_field, model.site.origin);
+    particles.velocity.resize(particles.size(), Vec3{0, 0, 0});
     for (std::size_t p = model.bodies[b].begin; p < model.bodies[b].end; ++p)
       particles.velocity[p] = particles.velocity[p] + field(particles.reference_position[p], 0);
   }

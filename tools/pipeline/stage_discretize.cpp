@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/model/error.hpp"
+#include "solver/model/spare_memory.hpp"
 #include "solver/store/model_store.hpp"
 #include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
@@ -38,6 +39,8 @@ void discretize_stage(Project& project) {
   for (const std::string& name : scans_of_bodies(project.scenario))
     scans.emplace(name, read_cleaned_scan(project, name, site));
   const Model model = build_model(project, scans, site);
+  scans.clear();
+  return_spare_memory();
   write_model(project.artefacts.model(), model);
 
   Json volumes = Json::array();

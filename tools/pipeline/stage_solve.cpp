@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/core/run.hpp"
-#include "solver/core/run_out.hpp"
-#include "solver/core/step_options.hpp"
+#include "solver/model/spare_memory.hpp"
 #include "tools/pipeline/made_from.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/read_artefacts.hpp"
@@ -47,18 +46,6 @@ Json step_limit_json(const StepLimit& limit, const Model& model) {
 Json relative_energy_error(const RunReport& report) {
   if (!(report.largest_energy > 0)) return nullptr;
   return report.largest_energy_error / report.largest_energy;
-}
-
-std::size_t outside_domain(const Model& model) {
-  const Domain& domain = model.domain;
-  const auto outside = [&](const Vec3& position) {
-    for (int a = 0; a < domain.dimension; ++a)
-      if (position[a] < domain.min[a] - 0.5 * domain.cell || position[a] > domain.max[a] + 0.5 * domain.cell)
-        return true;
-    return false;
-  };
-  return static_cast<std::size_t>(
-      std::count_if(model.particles.position.begin(), model.particles.position.end(), outside));
 }
 
 Json forms_json(const RunReport& report) {
@@ -111,10 +98,8 @@ void note_step_limit(const StepLimit& limit, const Model& model, Reporter& repor
   reporter.note(text + model.bodies[limit.body].name + ", material " + model.materials[limit.material].name);
 }
 
-void record_run_out(const Project& project, const Model& model, const RunReport& report) {
+void record_run_out(const Project& project, const Model& model, const RunReport& report, const RunOut& run_out) {
   if (report.failed) return record_summary(project, "run_out", {{"why_null", "the simulation failed"}});
-  const Vec3 gravity = gravity_of(project.scenario.solver, model.domain.dimension);
-  const RunOut run_out = measure_run_out(model.particles, model.domain, gravity, project.scenario.output.run_out);
   record_summary(project, "run_out", run_out_json(run_out, model.site.origin));
 }
 
@@ -123,6 +108,7 @@ void record_run_out(const Project& project, const Model& model, const RunReport&
 void solve_stage(Project& project, Outcome& outcome) {
   project.reporter->begin("solve");
   require_made_from(project, Maker::discretize);
+  return_spare_memory();
   Model model = read_discretized(project);
   add_run_inputs(project, model);
   for (const std::string& sentence : describe_shaking(project, model)) project.reporter->note(sentence);
@@ -142,14 +128,14 @@ void solve_stage(Project& project, Outcome& outcome) {
   outcome.failure = report.failure;
   outcome.failure_site = report.failure.position + model.site.origin;
   record_summary(project, "solver", solver_json(report, model, watch, writer));
-  record_run_out(project, model, report);
+  record_run_out(project, model, report, writer.run_out());
   char text[200];
   std::snprintf(text, sizeof text, "%lld steps of %zu particles, largest displacement %.4g m",
                 static_cast<long long>(report.steps), model.particles.size(), report.largest_displacement);
   project.reporter->note(text);
   note_step_limit(report.step_limit, model, *project.reporter);
-  if (const std::size_t outside = outside_domain(model); outside > 0)
-    project.reporter->note(std::to_string(outside) +
+  if (writer.outside() > 0)
+    project.reporter->note(std::to_string(writer.outside()) +
                            " particles ended outside the domain: its faces hold only what "
                            "stood on them at the start");
   project.reporter->end();

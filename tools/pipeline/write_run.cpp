@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/pipeline/write_run.hpp"
 
+#include <algorithm>
+
 #include "solver/core/make_frame.hpp"
+#include "solver/core/step_options.hpp"
 #include "solver/model/error.hpp"
 #include "solver/model/write_whole.hpp"
 #include "solver/store/frame_store.hpp"
@@ -11,6 +14,23 @@
 namespace scarp {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+std::size_t outside_domain(const ParticleStates& states, const Domain& domain) {
+  const auto outside = [&](const Vec3& position) {
+    for (int a = 0; a < domain.dimension; ++a)
+      if (position[a] < domain.min[a] - 0.5 * domain.cell || position[a] > domain.max[a] + 0.5 * domain.cell)
+        return true;
+    return false;
+  };
+  std::ptrdiff_t count = 0;
+  states.each_block(
+      [&](const Particles& block) { count += std::count_if(block.position.begin(), block.position.end(), outside); });
+  return static_cast<std::size_t>(count);
+}
+
+}  // namespace
 
 void clear_earlier_run(const Artefacts& artefacts) {
   fs::remove(artefacts.series());
@@ -37,10 +57,14 @@ RunWriter::RunWriter(const Project& project, const Model& model)
   history_ += '\n';
 }
 
-void RunWriter::frame(const Model& model, double time, std::int64_t step) {
+void RunWriter::frame(const Model& model, const ParticleStates& states, double time, std::int64_t step) {
   const Stopwatch watch;
   const fs::path path = project_.artefacts.frame(static_cast<std::int64_t>(series_.size()));
-  write_frame(path, make_frame(model, project_.scenario.output.fields, time, step, project_.scenario.output.absolute));
+  const OutputOptions& output = project_.scenario.output;
+  write_frame(path, states.count, [&](const auto& append) {
+    states.each_block(
+        [&](const Particles& block) { append(make_frame(model, block, output.fields, time, step, output.absolute)); });
+  });
   series_.emplace_back((fs::path("frames") / path.filename()).string(), time);
   write_series(project_.artefacts.series(), series_);
   write_whole(project_.artefacts.history(), history_);
@@ -79,6 +103,15 @@ void RunWriter::look(const Model& model, const HistorySample& sample) {
 
 void RunWriter::progress(double time, double end_time, std::int64_t, double) {
   project_.reporter->progress(time / end_time);
+}
+
+void RunWriter::end(const Model& model, const ParticleStates& states) {
+  const Stopwatch watch;
+  outside_ = outside_domain(states, model.domain);
+  run_out_ = measure_run_out(states, model.domain, gravity_of(project_.scenario.solver, model.domain.dimension),
+                             project_.scenario.output.run_out);
+  wall_ += watch.wall();
+  processor_ += watch.processor();
 }
 
 void RunWriter::finish() {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/core/frame_sink.hpp"
+#include "solver/core/run_out.hpp"
 #include "tools/pipeline/pipeline.hpp"
 #include "tools/pipeline/stopwatch.hpp"
 #include "tools/pipeline/write_probes.hpp"
@@ -23,16 +24,22 @@ class RunWriter : public FrameSink {
   /// Clears what an earlier run left, so that frames of two runs never mix.
   RunWriter(const Project& project, const Model& model);
 
-  void frame(const Model& model, double time, std::int64_t step) override;
+  bool takes_blocks() const override { return true; }
+  void frame(const Model& model, const ParticleStates& states, double time, std::int64_t step) override;
   void sample(const HistorySample& sample) override;
   bool watches() const override { return !project_.scenario.probes.empty(); }
   void look(const Model& model, const HistorySample& sample) override;
   void progress(double time, double end_time, std::int64_t step, double dt) override;
+  /// Measures the run-out.
+  void end(const Model& model, const ParticleStates& states) override;
   /// Writes the samples since the last frame.
   void finish();
 
   ProbeWriter& probes() { return probes_; }
   std::size_t frames() const { return series_.size(); }
+  const RunOut& run_out() const { return run_out_; }
+  /// Particles that ended outside the domain.
+  std::size_t outside() const { return outside_; }
   /// Time spent in here, to be taken off the solver's.
   double wall() const { return wall_; }
   double processor() const { return processor_; }
@@ -43,6 +50,8 @@ class RunWriter : public FrameSink {
   ProbeWriter probes_;
   std::vector<std::pair<std::string, double>> series_;
   std::string history_;
+  RunOut run_out_;
+  std::size_t outside_ = 0;
   double wall_ = 0, processor_ = 0;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The scarp developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The nodal form against its oracle, the particle-state form, on every instruction set that this processor has.
+// The nodal form and the particle-state form by packs of particles against their oracle, the particle-state form one by
+// one, on every instruction set that this processor has.
 #include "solver/core/nodal_body.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,9 @@
 #include <cmath>
 
 #include "solver/core/formulations.hpp"
+#include "solver/core/run.hpp"
 #include "tests/support/lattice_seed.hpp"
+#include "tests/support/recording_sink.hpp"
 #include "tests/support/run_options.hpp"
 
 namespace scarp {
@@ -73,8 +76,9 @@ struct Outcome {
   NodeWork work;
 };
 
-Outcome take_steps(Model model, const SolverOptions& options, const Kernels& kernels, int steps = 100) {
-  Formulations method(model, options, 1, kernels);
+Outcome take_steps(Model model, const SolverOptions& options, const Kernels& kernels, int steps = 100,
+                   int threads = 1) {
+  Formulations method(model, options, threads, kernels);
   Diagnostics diagnostics(model.particles);
   const bool nodal = options.back_end == BackEnd::nodal;
   for (const std::string& obstacle : method.obstacles()) EXPECT_EQ(obstacle.empty(), nodal) << obstacle;
@@ -101,6 +105,9 @@ void expect_equal(const Outcome& oracle, const Outcome& nodal, double rounding =
                     &HistorySample::total})
     EXPECT_NEAR(nodal.sample.*part, oracle.sample.*part, 1e-11 * size);
   EXPECT_LT(norm(nodal.sample.momentum - oracle.sample.momentum), 1e-11 * 100);
+  EXPECT_GT(norm(oracle.sample.angular_momentum), 1);
+  EXPECT_LT(norm(nodal.sample.angular_momentum - oracle.sample.angular_momentum), 1e-11 * 100);
+  EXPECT_LT(norm(nodal.sample.centre - oracle.sample.centre), 1e-13);
   EXPECT_NEAR(nodal.work.friction, oracle.work.friction, 1e-11 * size);
   EXPECT_NEAR(nodal.work.damping, oracle.work.damping, 1e-11 * size);
   EXPECT_NEAR(nodal.work.external, oracle.work.external, 1e-11 * size);
@@ -112,8 +119,7 @@ TEST(NodalBodyTest, AgreesWithTheParticleStateFormAfterAHundredSteps) {
       for (int n : dimension == 2 ? std::vector{2, 3} : std::vector{2}) {
         const double flip = n == 2 ? 1 : 0.97;
         const Model model = wedge(dimension, c.law, n);
-        const auto oracle =
-            take_steps(model, options_of(dimension, BackEnd::particle_state, flip), kernels::best_kernels());
+        const auto oracle = take_steps(model, options_of(dimension, BackEnd::particle_state, flip), Kernels{});
         if (!std::holds_alternative<NeoHookean>(c.law) && !std::holds_alternative<Hencky>(c.law)) {
           double most = 0;
           for (double a : oracle.particles.equivalent_plastic_strain) most = std::max(most, a);
@@ -123,8 +129,92 @@ TEST(NodalBodyTest, AgreesWithTheParticleStateFormAfterAHundredSteps) {
           SCOPED_TRACE(std::string(c.name) + ", " + kernels.name + ", " + std::to_string(dimension) + "D");
           const auto nodal = take_steps(model, options_of(dimension, BackEnd::nodal, flip), kernels);
           expect_equal(oracle, nodal);
+          const auto packs = take_steps(model, options_of(dimension, BackEnd::particle_state, flip), kernels);
+          expect_equal(oracle, packs);
         }
       }
+}
+
+TEST(NodalBodyTest, PacksOfParticlesGiveTheSameBitsForAnyNumberOfThreads) {
+  for (int dimension : {2, 3}) {
+    const Model model = wedge(dimension, MohrCoulomb{{1900, 20e6, 0.3}, 10e3, 28, 5}, 2);
+    const SolverOptions options = options_of(dimension, BackEnd::particle_state, 1);
+    const auto one = take_steps(model, options, kernels::best_kernels());
+    for (int threads : {2, 3})
+      EXPECT_EQ(largest_difference(one.particles,
+                                   take_steps(model, options, kernels::best_kernels(), 100, threads).particles),
+                0);
+  }
+}
+
+// A run whose sink takes blocks keeps no state of its particles: what it is shown must be what a run that does has.
+TEST(NodalBodyTest, ShowsItsParticlesInBlocks) {
+  struct Blocks : FrameSink {
+    std::vector<Particles> frames;
+    Particles last;
+    StepLimit limit;
+    bool takes_blocks() const override { return true; }
+    void frame(const Model& model, const ParticleStates& states, double, std::int64_t) override {
+      EXPECT_TRUE(model.particles.position.empty() && model.particles.stress.empty());
+      frames.emplace_back();
+      states.read(0, states.count, frames.back());
+    }
+    void sample(const HistorySample&) override {}
+    void progress(double, double, std::int64_t, double) override {}
+    void end(const Model&, const ParticleStates& states) override {
+      // Ranges that begin and end within cells.
+      for (std::size_t begin = 0; begin < states.count; begin += 13) {
+        Particles block;
+        states.read(begin, std::min(states.count, begin + 13), block);
+        for (std::size_t p = 0; p < block.size(); ++p)
+          EXPECT_EQ(block.position[p], frames.back().position[begin + p]) << begin + p;
+      }
+    }
+  };
+  for (int dimension : {2, 3})
+    for (AntiLocking anti_locking : {AntiLocking::none, AntiLocking::f_bar}) {
+      const Model start = wedge(dimension, MohrCoulomb{{1900, 20e6, 0.3}, 10e3, 28, 5}, 2, true);
+      SolverOptions options = options_of(dimension, BackEnd::nodal, 1);
+      options.end_time = 0.01;
+      options.anti_locking = anti_locking;
+      Model whole = start, lean = start;
+      drop_state(lean.particles);
+      lean.particles.velocity = start.particles.velocity;
+      test::RecordingSink recording;
+      Blocks blocks;
+      std::vector<Particles> frames;
+      recording.on_frame = [&](const Model& model, double) { frames.push_back(model.particles); };
+      OutputOptions output;
+      output.every = 0.005;
+      const RunReport a = run(whole, options, output, recording, 1), b = run(lean, options, output, blocks, 1);
+      ASSERT_EQ(blocks.frames.size(), frames.size());
+      for (std::size_t f = 0; f < frames.size(); ++f) {
+        EXPECT_EQ(largest_difference(frames[f], blocks.frames[f]), 0) << f;
+        EXPECT_EQ(frames[f].id, blocks.frames[f].id);
+        EXPECT_EQ(frames[f].elastic_left_cauchy_green, blocks.frames[f].elastic_left_cauchy_green);
+      }
+      EXPECT_EQ(a.largest_displacement, b.largest_displacement);
+      EXPECT_GT(b.largest_displacement, 0);
+      EXPECT_EQ(a.step_limit.particle, b.step_limit.particle);
+      EXPECT_TRUE(lean.particles.position.empty());
+    }
+}
+
+// The particle that sets the step is found from nodes alone.
+TEST(NodalBodyTest, NamesTheSameStiffestParticle) {
+  for (int dimension : {2, 3})
+    for (const Case& c : cases()) {
+      StepLimit limits[2];
+      for (BackEnd back_end : {BackEnd::nodal, BackEnd::particle_state}) {
+        Model model = wedge(dimension, c.law, 2, true);
+        Formulations method(model, options_of(dimension, back_end, 1), 1);
+        for (int step = 0; step < 40; ++step) method.step(2e-4);  // a look falls on the last
+        limits[back_end == BackEnd::nodal] = method.step_limit();
+      }
+      EXPECT_EQ(limits[0].particle, limits[1].particle) << c.name;
+      EXPECT_NEAR(limits[0].wave_speed, limits[1].wave_speed, 1e-9 * limits[1].wave_speed) << c.name;
+      EXPECT_LT(norm(limits[0].position - limits[1].position), 1e-12);
+    }
 }
 
 /// Two parts of a body fly through each other: the cells between them, which hold no points, turn inside out. So do
@@ -141,7 +231,7 @@ TEST(NodalBodyTest, PlacesWithoutPointsMayTurnInsideOut) {
             });
         SolverOptions options = options_of(dimension, BackEnd::particle_state, 1);
         options.anti_locking = anti_locking;
-        const auto oracle = take_steps(model, options, kernels::best_kernels());
+        const auto oracle = take_steps(model, options, Kernels{});
         options.back_end = BackEnd::nodal;
         for (const Kernels& kernels : kernels::available_kernels()) {
           SCOPED_TRACE(std::string(c.name) + ", " + kernels.name + ", " + std::to_string(dimension) + "D");
@@ -159,7 +249,7 @@ TEST(NodalBodyTest, SeesTheMeanVolumeRatioOfTheCell) {
       const Model model = wedge(dimension, c.law, 2, true);
       SolverOptions options = options_of(dimension, BackEnd::particle_state, 1);
       options.anti_locking = AntiLocking::f_bar;
-      const auto oracle = take_steps(model, options, kernels::best_kernels());
+      const auto oracle = take_steps(model, options, Kernels{});
       options.back_end = BackEnd::nodal;
       expect_equal(oracle, take_steps(model, options, kernels::best_kernels()));
       Model mixed = wedge(dimension, c.law, 2);
@@ -182,7 +272,7 @@ TEST(NodalBodyTest, LeavesNodesWithConditionsToThem) {
   drive.velocity = Vec3{0.3, 0, 0};
   drive.axes = "x";
   model.loads = {pull, drive};
-  const auto oracle = take_steps(model, options_of(2, BackEnd::particle_state, 0.99), kernels::best_kernels(), 12);
+  const auto oracle = take_steps(model, options_of(2, BackEnd::particle_state, 0.99), Kernels{}, 12);
   const auto nodal = take_steps(model, options_of(2, BackEnd::nodal, 0.99), kernels::best_kernels(), 12);
   EXPECT_GT(std::abs(oracle.work.friction), 0);
   EXPECT_GT(std::abs(oracle.work.external), 0);

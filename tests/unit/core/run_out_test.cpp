@@ -27,7 +27,7 @@ Model slid(const Vec3& shift) {
 
 TEST(RunOut, OfABlockThatSlides) {
   const Model model = slid({25, 0, -6});
-  const RunOut r = measure_run_out(model.particles, model.domain, kDown3, {});
+  const RunOut r = measure_run_out(states_of(model.particles), model.domain, kDown3, {});
   EXPECT_EQ(r.threshold, 1) << "a cell";
   EXPECT_NEAR(r.moved_volume, 400, 1e-9);
   EXPECT_NEAR(r.moved_share, 0.1, 1e-12);
@@ -50,15 +50,16 @@ TEST(RunOut, OfABlockThatSlides) {
 
 TEST(RunOut, FootprintsOverlapWhereAShortSlideLeavesThem) {
   const Model model = slid({4, 0, -1});
-  const RunOut r = measure_run_out(model.particles, model.domain, kDown3, {});
+  const RunOut r = measure_run_out(states_of(model.particles), model.domain, kDown3, {});
   EXPECT_NEAR(r.footprint_overlap, 60, 1e-9);
   EXPECT_NEAR(*r.run_out.value, 4, 1e-9);
 }
 
 TEST(RunOut, IsMeasuredAlongADirectionWhereAsked) {
   const Model model = slid({6, 8, -6});
-  EXPECT_NEAR(*measure_run_out(model.particles, model.domain, kDown3, {{}, Vec3{1, 0, -5}}).run_out.value, 6, 1e-9);
-  const RunOut own = measure_run_out(model.particles, model.domain, kDown3, {});
+  EXPECT_NEAR(*measure_run_out(states_of(model.particles), model.domain, kDown3, {{}, Vec3{1, 0, -5}}).run_out.value, 6,
+              1e-9);
+  const RunOut own = measure_run_out(states_of(model.particles), model.domain, kDown3, {});
   EXPECT_LT(norm(own.direction - Vec3{0.6, 0.8, 0}), 1e-12);
   EXPECT_NEAR(*own.run_out.value, 10, 1e-9);
 }
@@ -70,7 +71,7 @@ TEST(RunOut, OfATriangularWedgeInPlaneStrain) {
   Particles& P = model.particles;
   for (std::size_t p = 0; p < P.size(); ++p)
     if (P.reference_position[p][0] > 8) P.position[p] = P.reference_position[p] + Vec3{3, -2, 0};
-  const RunOut r = measure_run_out(P, model.domain, kDown2, {0.5, {}});
+  const RunOut r = measure_run_out(states_of(P), model.domain, kDown2, {0.5, {}});
   EXPECT_NEAR(r.moved_volume, 20 + 50, 3) << "per metre; the staircase of the lattice";
   EXPECT_NEAR(*r.run_out.value, 3, 1e-9);
   EXPECT_NEAR(*r.crest_drop.value, 2, 1e-9);
@@ -84,18 +85,18 @@ TEST(RunOut, OfATriangularWedgeInPlaneStrain) {
 }
 
 TEST(RunOut, SaysWhyThereIsNone) {
-  const RunOut still = measure_run_out(slid({0.5, 0, 0}).particles, slid({0, 0, 0}).domain, kDown3, {});
+  const RunOut still = measure_run_out(states_of(slid({0.5, 0, 0}).particles), slid({0, 0, 0}).domain, kDown3, {});
   EXPECT_FALSE(still.why_nothing.empty());
   EXPECT_FALSE(still.run_out.value);
   EXPECT_EQ(still.run_out.why_not, "nothing moved by 1 m");
   const Model sunk = slid({0, 0, -3});
-  const RunOut settled = measure_run_out(sunk.particles, sunk.domain, kDown3, {});
+  const RunOut settled = measure_run_out(states_of(sunk.particles), sunk.domain, kDown3, {});
   EXPECT_NEAR(settled.moved_volume, 400, 1e-9);
   EXPECT_FALSE(settled.run_out.value);
   EXPECT_EQ(settled.crest_drop.why_not, "the moved mass has no mean horizontal motion");
   const Model model = slid({5, 0, 0});
   for (const Vec3& gravity : {Vec3{0, 0, 0}, Vec3{5, 0, -8}}) {
-    const RunOut r = measure_run_out(model.particles, model.domain, gravity, {});
+    const RunOut r = measure_run_out(states_of(model.particles), model.domain, gravity, {});
     EXPECT_NEAR(*r.run_out.value, 5, 1e-9);
     EXPECT_EQ(r.travel_angle.why_not, "gravity is not vertical");
   }

@@ -88,7 +88,7 @@ TEST(Discretize, RulesGoByPointAndLaterOnesWin) {
   const PointCloud& scan = scene.scans.at("scan");
   const Body& slide = model.bodies[0];
   for (std::size_t p = slide.begin; p < slide.end; ++p) {
-    const Vec3& x = model.particles.position[p];
+    const Vec3& x = model.particles.reference_position[p];
     int expected = x[2] < 4 + (x[0] + 1) / 6 ? 1 : 2;
     const std::size_t colour_of = static_cast<std::size_t>(
         std::find_if(scan.colour.begin(), scan.colour.end(),
@@ -131,7 +131,7 @@ TEST(Discretize, ASteepFaceTakesTheColourOfItsOwnPoints) {
   const Model model = scene.build();
   const auto colour_at = [&](Vec3 x) {
     for (std::size_t p = 0; p < model.particles.size(); ++p)
-      if (norm(model.particles.position[p] - x) < 1e-9) return model.particles.colour[p];
+      if (norm(model.particles.reference_position[p] - x) < 1e-9) return model.particles.colour[p];
     return Rgb8{1, 1, 1};
   };
   EXPECT_EQ(colour_at({3.75, 4.25, 5.75}), (Rgb8{255, 0, 0}));
@@ -242,7 +242,7 @@ TEST(Discretize, ASunkenBaseHoldsEveryColumnAndNothingAboveIt) {
     EXPECT_LE(x[2], 17 + 1.2 * x[0] - 0.4 * x[1] + 1.6 * 0.5 + 0.5);
   }
   std::vector<int> lowest(body.lattice.cells[0] * body.lattice.cells[1], 1 << 30);
-  for (const Vec3& p : model.particles.position) {
+  for (const Vec3& p : model.particles.reference_position) {
     const Vec3 c = 2.0 * (p - body.lattice.origin);
     int& low = lowest[static_cast<int>(c[1]) * body.lattice.cells[0] + static_cast<int>(c[0])];
     low = std::min(low, static_cast<int>(c[2]));
@@ -271,7 +271,7 @@ TEST(Discretize, AMovedScanGivesTheSameModelElsewhere) {
   ASSERT_EQ(a.particles.size(), b.particles.size());
   EXPECT_NEAR(a.volumes[0].input_volume, b.volumes[0].input_volume, 1e-9 * a.volumes[0].input_volume);
   for (std::size_t p = 0; p < a.particles.size(); ++p)
-    ASSERT_EQ(a.particles.position[p] + shift, b.particles.position[p]);
+    ASSERT_EQ(a.particles.reference_position[p] + shift, b.particles.reference_position[p]);
   EXPECT_EQ(a.particles.surface, b.particles.surface);
   EXPECT_EQ(a.bodies[0].held[0].nodes, b.bodies[0].held[0].nodes);
   // The same survey, localised: nothing at all may differ.

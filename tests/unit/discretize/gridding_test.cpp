@@ -66,7 +66,7 @@ TEST(Gridding, PointsStandInOrderAtTheCentresOfSubCells) {
   scene.body("c", box({5, 0, 0}, {7, 2, 2}));
   const Model model = scene.build();
   const auto key = [&](const Body& body, std::size_t p, int n) {
-    const Vec3 x = model.particles.position[p] - body.lattice.origin;
+    const Vec3 x = model.particles.reference_position[p] - body.lattice.origin;
     std::array<int, 3> cell, sub;
     for (int a = 0; a < 3; ++a) {
       cell[a] = static_cast<int>(std::floor(x[a]));

@@ -36,7 +36,7 @@ TEST(SimpleShapes, ABoxInPlaneStrainIgnoresZ) {
   EXPECT_TRUE(model.bodies[0].lattice.flat());
   EXPECT_EQ(model.domain.max, (Vec3{2, 1, 0}));
   EXPECT_DOUBLE_EQ(model.volumes[0].particle_volume, 2.0);
-  for (const Vec3& x : model.particles.position) EXPECT_EQ(x[2], 0);
+  for (const Vec3& x : model.particles.reference_position) EXPECT_EQ(x[2], 0);
 }
 
 // 40 x 40 cells with 2 x 2 points: 1,624 points of two disks is the published count of this problem.
@@ -75,7 +75,7 @@ TEST(SimpleShapes, ASphereIsRightWithinItsStaircase) {
     // Lattice points in a smooth convex body: the error falls like sub^1.5 or faster.
     EXPECT_LT(std::abs(model.volumes[0].relative_difference()), 0.5 * std::pow(sub, 1.5)) << h;
     std::size_t inside = 0;
-    for (const Vec3& x : model.particles.position) inside += norm(x - Vec3{0.03, -0.01, 0.02}) < 1;
+    for (const Vec3& x : model.particles.reference_position) inside += norm(x - Vec3{0.03, -0.01, 0.02}) < 1;
     EXPECT_EQ(inside, model.particles.size());
   }
 }
@@ -84,7 +84,7 @@ TEST(SimpleShapes, ASphereIsSymmetricThoughPointsLieOnItsBorder) {
   Scene scene(3, 1);  // sub-cell centres at odd quarters: (2.25, 0.75, 0.25) etc. hit radius^2 = 5.6875 exactly
   scene.body("s", SphereVolume{{{0, 0, 0}, std::sqrt(5.6875)}});
   const Model model = scene.build();
-  std::set<Vec3> points(model.particles.position.begin(), model.particles.position.end());
+  std::set<Vec3> points(model.particles.reference_position.begin(), model.particles.reference_position.end());
   for (const Vec3& p : points) EXPECT_TRUE(points.count({-p[0], p[1], -p[2]}) && points.count({p[1], p[2], p[0]}));
 }
 
@@ -95,7 +95,7 @@ TEST(SimpleShapes, BodiesThatShareAFaceShareNoPoint) {
   scene.body("upper", box({0, 1.25, 0}, {4, 3, 0}));
   scene.body("wedge", PolygonVolume{{{0, 5}, {4, 5}, {4, 3}, {0, 3}}});
   const Model model = scene.build();
-  std::set<Vec3> points(model.particles.position.begin(), model.particles.position.end());
+  std::set<Vec3> points(model.particles.reference_position.begin(), model.particles.reference_position.end());
   EXPECT_EQ(points.size(), 4u * 5 * 4);
   EXPECT_EQ(model.particles.size(), points.size());
 }
@@ -113,7 +113,7 @@ TEST(SimpleShapes, AConcavePolygonIsFilledByItsOwnRule) {
   EXPECT_NEAR(model.volumes[0].input_volume, area, 1e-13);
   EXPECT_NEAR(model.volumes[0].relative_difference(), 0, 2e-3);
   const PlanPolygon polygon(comb, "comb");
-  for (const Vec3& x : model.particles.position) EXPECT_TRUE(polygon.contains(x[0], x[1]));
+  for (const Vec3& x : model.particles.reference_position) EXPECT_TRUE(polygon.contains(x[0], x[1]));
 }
 
 TEST(SimpleShapes, AnyEmptyNeighbourMakesASurface) {

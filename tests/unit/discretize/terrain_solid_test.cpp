@@ -37,7 +37,7 @@ TEST(TerrainSolid, AFlatSlabIsExactInEveryNumber) {
   std::size_t flagged = 0;
   for (std::size_t p = 0; p < model.particles.size(); ++p) {
     flagged += model.particles.surface[p];
-    EXPECT_EQ(model.particles.surface[p] != 0, model.particles.position[p][2] > 2.5);
+    EXPECT_EQ(model.particles.surface[p] != 0, model.particles.reference_position[p][2] > 2.5);
   }
   EXPECT_EQ(flagged, 256u);
 }
@@ -108,7 +108,7 @@ TEST(TerrainSolid, NoColumnFallsThroughASeam) {
   const Model model =
       terrain(1, grid_scan(32, 0.25, 16, [](double x, double y) { return 4 + 0.01 * x * y; }), sunk_by(2)).build();
   std::set<Vec2> columns;
-  for (const Vec3& p : model.particles.position) columns.insert({p[0], p[1]});
+  for (const Vec3& p : model.particles.reference_position) columns.insert({p[0], p[1]});
   EXPECT_EQ(columns.size(), 32u * 32);
 }
 
@@ -210,7 +210,7 @@ TEST(TerrainSolid, SteepFacesBelongToTheFreeSurfaceAndTheSkirtDoesNot) {
     for (auto [x, z] : {std::pair{0.0, 6.0}, {4.0, 6.0}, {4.01, 2.0}, {8.0, 2.0}}) scan.positions.push_back({x, y, z});
   const Model model = terrain(1, scan, above_plane(0)).build();
   for (std::size_t p = 0; p < model.particles.size(); ++p) {
-    const Vec3& x = model.particles.position[p];
+    const Vec3& x = model.particles.reference_position[p];
     const bool face = x[0] > 3.5 && x[0] < 4 && x[2] > 2;
     const bool top = x[0] < 4 ? x[2] > 5.5 : x[2] > 1.5;
     EXPECT_EQ(model.particles.surface[p] != 0, face || top) << x[0] << " " << x[1] << " " << x[2];

@@ -3,7 +3,9 @@
 #include "solver/store/frame_store.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -42,6 +44,57 @@ TEST(FrameStore, GivesBackEverythingInOrderAndType) {
       EXPECT_EQ(back.fields[i].values, frame.fields[i].values) << frame.fields[i].name;
     }
   }
+}
+
+Frame part_of(const Frame& whole, std::size_t begin, std::size_t end) {
+  const auto cut = [&](auto values, int components) {
+    const auto n = static_cast<std::ptrdiff_t>(components);
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(begin) * n;
+    return decltype(values)(first, first + static_cast<std::ptrdiff_t>(end - begin) * n);
+  };
+  Frame part = whole;
+  part.positions = cut(whole.positions, 1);
+  for (FrameField& field : part.fields)
+    std::visit([&](auto& values) { values = cut(values, field.components); }, field.values);
+  return part;
+}
+
+TEST(FrameStore, ComesBackFromParts) {
+  test::TemporaryFolder folder;
+  const Frame frame = test::sample_frame(150000);
+  const auto path = folder.path() / "a.hdf";
+  const std::vector<std::size_t> cuts{0, 65536, 131072, 140000, 150000};
+  const auto each_part = [&](const auto& append) {
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) append(part_of(frame, cuts[i], cuts[i + 1]));
+  };
+  write_frame(path, 150000, each_part);
+  const Frame back = read_frame(path);
+  EXPECT_EQ(back.positions, frame.positions);
+  ASSERT_EQ(back.fields.size(), frame.fields.size());
+  for (std::size_t i = 0; i < frame.fields.size(); ++i) EXPECT_EQ(back.fields[i].values, frame.fields[i].values);
+  EXPECT_THROW(write_frame(path, 150001, each_part), Error) << "too few";
+  EXPECT_EQ(read_frame(path).positions.size(), 150000u) << "the frame from before stands";
+}
+
+TEST(FrameStore, ADiskThatRefusesLeavesTheOldFrameAndNothingElse) {
+  test::TemporaryFolder folder;
+  const auto path = folder.path() / "a.hdf";
+  write_frame(path, test::sample_frame(10));
+  const rlimit allowed = [] {
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    return before;
+  }();
+  const auto old = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit little{200000, allowed.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &little);
+  EXPECT_THROW(write_frame(path, test::sample_frame(100000)), Error);
+  setrlimit(RLIMIT_FSIZE, &allowed);
+  std::signal(SIGXFSZ, old);
+  EXPECT_EQ(read_frame(path).positions.size(), 10u);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+  write_frame(path, test::sample_frame(100000));
+  EXPECT_EQ(read_frame(path).positions.size(), 100000u);
 }
 
 TEST(FrameStore, SameFrameSameBytesAndNoTemporaryLeft) {
@@ -101,7 +154,7 @@ TEST(FrameStore, ForeignFilesAreRefusedWithTheirName) {
   EXPECT_THROW(read_frame(path), Error);
   Hdf5Writer other(path);
   write_format(other, "scarp-model", 1);
-  write_whole(path, other.finish());
+  other.finish();
   try {
     read_frame(path);
     ADD_FAILURE() << "a model was read as a frame";
