@@ -12,6 +12,7 @@
 #include "discretize/scan_attributes.hpp"
 #include "discretize/seed.hpp"
 #include "discretize/solid.hpp"
+#include "discretize/terrain_boundary.hpp"
 #include "solver/model/error.hpp"
 
 namespace scarp {
@@ -71,6 +72,7 @@ void allocate(const std::vector<Work>& bodies, Model& model) {
     body.begin = count;
     body.end = count += points;
     body.boundary = boundary_of(work.solid, model.domain.dimension, work.grid.lattice.cell / work.grid.per_cell);
+    if (const auto* ball = std::get_if<BallSolid>(&work.solid)) body.ball_radius = ball->radius;
     model.bodies.push_back(std::move(body));
   }
   const std::string found = std::to_string(count) + " in cells of " + shortest(model.domain.cell) + " m";
@@ -149,7 +151,10 @@ Model discretize(const DiscretizeInput& input) {
     measure(work, report);
     set_out(work, b, input.threads, model);
     if (auto* terrain = std::get_if<TerrainSolid>(&work.solid)) {
-      model.bodies[b].held = hold_nodes(*terrain, work.grid, work.columns, work.cells, input.threads);
+      if (model.bodies[b].formulation == Formulation::rigid)
+        model.bodies[b].boundary = terrain_boundary(*terrain, work.options.name);
+      else
+        model.bodies[b].held = hold_nodes(*terrain, work.grid, work.columns, work.cells, input.threads);
       terrain->tin = {};  // as large as the scan, and of no more use
     }
     dress(work, b, input, model, report);

@@ -93,6 +93,10 @@ void check_moving(const Model& model, double courant) {
   if (has_absorbing_face(model.domain))
     refuse("reference_update with an absorbing face", "given",
            "none: dashpots belong to the nodes of the first reference configuration");
+  for (const Body& body : model.bodies)
+    if (!body.rigid.grips.empty())
+      refuse("reference_update with grips of rigid body '" + body.name + "'", "given",
+             "none: grips hold nodes of the first reference configuration");
   for (const LoadOptions& load : model.loads)
     if (load.velocity || load.displacement)
       refuse("reference_update with load '" + load.name + "', which imposes a motion on nodes", "given",
@@ -180,6 +184,7 @@ void check_formulations(const Model& model, const SolverOptions& options) {
   check_water(model, options);
   if (options.reference_update) check_moving(model, options.courant);
   for (const Body& body : model.bodies) {
+    if (body.formulation == Formulation::rigid) continue;
     if (body.formulation != Formulation::total_lagrangian) {
       if (!options.body_force.empty() || model.body_force)
         refuse("body_force with updated-Lagrangian body '" + body.name + "'", "given",
@@ -193,6 +198,37 @@ void check_formulations(const Model& model, const SolverOptions& options) {
       refuse("shape of total-Lagrangian body '" + body.name + "'", std::string(name_of(options.shape)),
              "linear; or formulation = \"updated-lagrangian\" for the body");
   }
+}
+
+void check_rigid(const Model& model) {
+  if (!has_formulation(model, Formulation::rigid)) return;
+  const bool penalty = model.contact.method == ContactMethod::penalty;
+  const bool any_free = std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body& body) {
+    return body.formulation == Formulation::rigid && body.rigid.motion == RigidMotion::free;
+  });
+  if (deforming_particles(model) == 0 && !any_free)
+    refuse("bodies", "all rigid", "at least one that deforms or moves freely");
+  for (const Body& body : model.bodies) {
+    if (body.formulation != Formulation::rigid) continue;
+    for (const std::string& name : body.rigid.grips) {
+      const bool known = std::any_of(model.bodies.begin(), model.bodies.end(), [&](const Body& other) {
+        return other.name == name && other.formulation == Formulation::total_lagrangian;
+      });
+      if (!known)
+        refuse("grips of rigid body '" + body.name + "'", "'" + name + "'", "the name of a total-Lagrangian body");
+    }
+    if (body.rigid.motion == RigidMotion::free && !penalty)
+      refuse("contact.method with rigid body '" + body.name + "', which moves freely",
+             std::string(name_of(model.contact.method)), "\"penalty\"");
+    if (body.rigid.grips.empty() && !penalty && !rigid_bodies_carry(model))
+      refuse("rigid body '" + body.name + "', which nothing can meet", "",
+             "contact.method = \"penalty\", updated-Lagrangian bodies, or total-Lagrangian ones that it grips");
+  }
+}
+
+bool rigid_bodies_carry(const Model& model) {
+  return has_formulation(model, Formulation::rigid) && has_formulation(model, Formulation::updated_lagrangian) &&
+         model.contact.method != ContactMethod::penalty;
 }
 
 void check_contact(const Model& model, const SolverOptions& options) {
@@ -217,8 +253,9 @@ void check_contact(const Model& model, const SolverOptions& options) {
     if (!contact.pairs.empty()) refuse("contact.pairs with method \"none\"", "given", "none, or another method");
     return;
   }
-  if (contact.method == ContactMethod::penalty && !has_formulation(model, Formulation::total_lagrangian))
-    refuse("contact.method without a total-Lagrangian body", "penalty",
+  if (contact.method == ContactMethod::penalty && !has_formulation(model, Formulation::total_lagrangian) &&
+      !has_formulation(model, Formulation::rigid))
+    refuse("contact.method without a total-Lagrangian or rigid body", "penalty",
            "\"grid\", or \"none\": updated-Lagrangian bodies meet and stick on the grid that they share");
   if (contact.method == ContactMethod::grid && !has_formulation(model, Formulation::updated_lagrangian))
     refuse("contact.method without an updated-Lagrangian body", "grid", "\"penalty\" or \"none\"");
@@ -227,6 +264,13 @@ void check_contact(const Model& model, const SolverOptions& options) {
   if (options.reference_update)
     refuse("solver.reference_update with contact", "given",
            "none: surfaces belong to the first reference configuration");
+}
+
+std::size_t deforming_particles(const Model& model) {
+  std::size_t count = 0;
+  for (const Body& body : model.bodies)
+    if (body.formulation != Formulation::rigid) count += body.end - body.begin;
+  return count;
 }
 
 bool has_formulation(const Model& model, Formulation formulation) {

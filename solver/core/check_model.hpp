@@ -21,7 +21,13 @@ void check_formulations(const Model& model, const SolverOptions& options);
 
 /// @throws Error ("solve") where Model::contact names what is not there, or cannot be had with the bodies or options.
 void check_contact(const Model& model, const SolverOptions& options);
+/// @throws Error ("solve") where a rigid body has nothing that it could meet, or grips what is not there.
+void check_rigid(const Model& model);
+/// Whether rigid bodies carry nodes of the updated-Lagrangian bodies' grid.
+bool rigid_bodies_carry(const Model& model);
 
 bool has_formulation(const Model& model, Formulation formulation);
+/// How many particles are not of rigid bodies.
+std::size_t deforming_particles(const Model& model);
 
 }  // namespace scarp

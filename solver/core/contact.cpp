@@ -6,33 +6,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/core/contact_touch.hpp"
 #include "solver/core/wave_speeds.hpp"
 #include "solver/materials/tensor.hpp"
 
 namespace scarp {
 namespace {
 
-/// Surfaces press where they face each other, not where a point is beside a rim: cosine between the normals.
-constexpr double kFacing = -0.2;
-
 /// Share of their stable step that springs can do with: they are a means, whose waves nobody follows. Not where
 /// updated-Lagrangian bodies meet them, as what is lost then grows with the step.
 constexpr double kLeastCourant = 0.25;
-
-double distance(const Box3& a, const Box3& b, int dimension) {
-  double square = 0;
-  for (int i = 0; i < dimension; ++i) {
-    const double d = std::max({0.0, a.min[i] - b.max[i], b.min[i] - a.max[i]});
-    square += d * d;
-  }
-  return std::sqrt(square);
-}
-
-bool within(const Box3& box, const Vec3& x, double margin, int dimension) {
-  for (int i = 0; i < dimension; ++i)
-    if (!(x[i] >= box.min[i] - margin && x[i] <= box.max[i] + margin)) return false;
-  return true;
-}
 
 /// S += wd (x) d.
 void add_square(Sym6& S, const Vec3& wd, const Vec3& d) {
@@ -47,38 +30,35 @@ Vec3 times(const Sym6& S, const Vec3& a) {
 
 }  // namespace
 
-/// A point and the other body's surface.
-struct Contact::Touch {
-  double depth = 0;      ///< m
-  Vec3 n{0, 0, 0};       ///< of the other body, outward
-  double stiffness = 0;  ///< N/m
-  double weight = 0;     ///< sum of the masters' weights
-  Vec3 first{0, 0, 0};   ///< sum of weight times d, from the point to the master, m
-  Sym6 second{};         ///< of weight times d (x) d, m2
-  std::uint32_t nearest = 0;
-};
-
 void Contact::update() {
+  if (rigid_) rigid_->begin_contact();
   for (ContactBody& body : bodies_) follow(body);
-  const bool lists_hold = farthest_shift(&ContactBody::list_anchor) < allowed_;
-  const bool steady = lists_hold && farthest_shift(&ContactBody::geometry_anchor) < steady_;
+  // Walls are looked at in every step: a sharp one may be anywhere in the next.
+  const bool at_walls =
+      std::any_of(walls_.begin(), walls_.end(), [](const ContactWall& w) { return !w.candidates.empty(); });
+  const bool lists_hold = std::max(farthest_shift(&ContactBody::list_anchor), shift_of_rigid()) < allowed_;
+  const bool steady = lists_hold && !at_walls && farthest_shift(&ContactBody::geometry_anchor) < steady_;
   if (!steady) {
     for (ContactLink& link : links_) find_slides(link);
     if (!lists_hold) make_lists();
     find_geometry();
   }
+  find_fastest();
   for (ContactBody& body : bodies_)
     for (std::uint32_t i : body.live) body.force[i] = {0, 0, 0};
   stored_ = 0;
   std::fill(net_.begin(), net_.end(), Vec3{0, 0, 0});
   for (ContactLink& link : links_) find_forces(link, !steady);
   for (ContactFace& face : faces_) find_forces(face);
+  for (ContactWall& wall : walls_) find_forces(wall);
+  if (rigid_) rigid_->count_work();
 }
 
 double Contact::farthest_shift(std::vector<Vec3> ContactBody::*anchor) const {
   double shift = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const ContactBody& body = bodies_[b];
+    if (body.rigid >= 0) continue;
     if (body.total) {
       shift = std::max(shift, total_->contact_shift(total_index_[b], body.surface, body.*anchor));
       continue;
@@ -90,6 +70,7 @@ double Contact::farthest_shift(std::vector<Vec3> ContactBody::*anchor) const {
 }
 
 void Contact::set_anchor(ContactBody& body, std::vector<Vec3>& anchor) const {
+  if (body.rigid >= 0) return;
   if (body.total)
     return total_->anchor_contact(total_index_[static_cast<std::size_t>(&body - bodies_.data())], body.surface, anchor);
   const auto first = model_.particles.position.begin() + static_cast<std::ptrdiff_t>(body.begin);
@@ -101,6 +82,11 @@ void Contact::locate(ContactBody& body, const std::vector<std::uint32_t>& points
   if (body.total)
     return total_->locate_contact(total_index_[static_cast<std::size_t>(&body - bodies_.data())], body.surface,
                                   points.data(), count, body.y, normals ? &body.n : nullptr);
+  if (body.rigid >= 0) {
+    const RigidBody& rigid = (*rigid_)[body.rigid];
+    for (std::size_t k = 0; k < count; ++k) body.y[points[k]] = rigid.place(rigid.now, body.reference[points[k]]);
+    return;
+  }
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = points[k], p = body.begin + i;
     body.y[i] = model_.particles.position[p];
@@ -137,6 +123,8 @@ void Contact::make_lists() {
     if (body.total) body.cells.build(body.y, 5 * margin_, dimension_);
   for (ContactLink& link : links_) list_candidates(link);
   for (ContactFace& face : faces_) list_candidates(face);
+  for (std::size_t r = 0; r < rigid_anchor_.size(); ++r) rigid_anchor_[r] = (*rigid_)[r].now;
+  for (ContactWall& wall : walls_) list_candidates(wall);
   for (ContactBody& body : bodies_) {
     body.active.clear();
     for (std::uint32_t i = 0; i < body.size(); ++i)
@@ -196,6 +184,8 @@ void Contact::find_geometry() {
   }
   for (ContactLink& link : links_) find_geometry(link);
   for (ContactFace& face : faces_) find_geometry(face);
+  for (const ContactWall& wall : walls_)
+    for (std::uint32_t i : wall.candidates) bodies_[wall.body].is_live[i] = 1;
   for (ContactBody& body : bodies_)
     for (std::uint32_t i : body.active) {
       body.seen[i] = body.y[i];
@@ -426,7 +416,7 @@ void Contact::push(double dt) {
   pushes_.clear();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const ContactBody& body = bodies_[b];
-    if (!body.pressed) continue;
+    if (!body.pressed || body.rigid >= 0) continue;
     if (body.total) {
       total_->push_contact(total_index_[b], body.surface, body.live.data(), body.live.size(), body.force);
       continue;
@@ -443,21 +433,25 @@ void Contact::push(double dt) {
 double Contact::stable_time_step(double courant) const {
   // The springs of a pair see the mobilities of both sides; no pair has more than the two largest.
   double most = 0, second = 0;
+  const auto take = [&](double square) {
+    second = std::max(second, std::min(most, square));
+    most = std::max(most, square);
+  };
   for (const ContactBody& body : bodies_) {
-    if (!body.pressed) continue;
+    if (!body.pressed || body.rigid >= 0) continue;
     double stiffness = 0, mobility = 0;
     for (std::uint32_t i : body.live) {
       if (body.stiffness[i] == 0) continue;
       stiffness = std::max(stiffness, body.stiffness[i]);
       mobility = std::max(mobility, body.mobility[i]);
     }
-    const double square = stiffness * mobility;
-    second = std::max(second, std::min(most, square));
-    most = std::max(most, square);
+    take(stiffness * mobility);
   }
+  for (std::size_t r = 0; rigid_ && r < rigid_->size(); ++r) take((*rigid_)[r].stiffness_per_mass);
   if (model_.contact.self_contact) second = most;
-  if (!updated_) courant = std::max(courant, kLeastCourant);
-  return most > 0 ? courant * 2 / std::sqrt(most + second) : INFINITY;
+  const double of_springs = updated_ || !walls_.empty() ? courant : std::max(courant, kLeastCourant);
+  const double stable = most > 0 ? of_springs * 2 / std::sqrt(most + second) : INFINITY;
+  return std::min({stable, courant * rigid_step_, time_to_go()});
 }
 
 std::vector<Vec3> Contact::take_mean_force() {

@@ -8,19 +8,23 @@
 
 #include "solver/core/cell_list.hpp"
 #include "solver/core/contact_surface.hpp"
+#include "solver/core/rigid_bodies.hpp"
 #include "solver/core/step_total.hpp"
 #include "solver/core/step_updated.hpp"
 
 namespace scarp {
 
 /// A body as contact sees it: points with an area. Of a total-Lagrangian body those of its surface; of an
-/// updated-Lagrangian one all particles, as balls of half their spacing.
+/// updated-Lagrangian one all particles, as balls of half their spacing; of a free rigid one points all over its
+/// boundary, or if it is a ball its centre, with its radius.
 struct ContactBody {
   std::int32_t body = 0;  ///< index into Model::bodies
   bool total = false;
   std::size_t begin = 0;  ///< first particle of an updated-Lagrangian body
   double spacing = 0;     ///< of its particles, m
   ContactSurface surface;
+  std::int32_t rigid = -1;             ///< which of RigidBodies, or none
+  std::vector<Vec3> reference;         ///< of a rigid body: places in the reference configuration
   std::vector<double> modulus;         ///< rho c_p^2 of the point's material, Pa
   std::vector<std::int32_t> material;  ///< index into Model::materials
   std::vector<double> area, radius;    ///< m2 (2D: m), m; no radius on a surface
@@ -77,6 +81,23 @@ struct ContactFace {
   std::vector<std::uint8_t> touching;  ///< per point
 };
 
+/// The points of one body against the surface of a rigid one (contact_walls.cpp).
+struct ContactWall {
+  std::size_t body = 0;          ///< which ContactBody
+  std::size_t rigid = 0;         ///< which of RigidBodies
+  double share = 1;              ///< of the springs; half where two rigid bodies look at each other in turn
+  std::vector<double> friction;  ///< per material of the points; infinite where the wall is rough
+  double modulus = 0;            ///< of springs at most, Pa
+  double reach = 0;              ///< of the points, m
+  std::vector<std::uint32_t> candidates;
+  // Per point:
+  std::vector<Vec3> stretch;  ///< of the tangential spring, m
+  std::vector<std::uint8_t> touching;
+  std::vector<Vec3> facing;         ///< of the sheet that it touches, in the rigid body's frame; else zero
+  std::vector<Vec3> last;           ///< where it was in that frame, m
+  std::vector<std::uint64_t> seen;  ///< in which update
+};
+
 /// Contact by springs between the surfaces of total-Lagrangian bodies, and between them and the particles of
 /// updated-Lagrangian ones, in the current configuration.
 ///
@@ -90,6 +111,10 @@ struct ContactFace {
 /// A face of the domain with friction stops total-Lagrangian bodies that come to it in the same way. Those with nodes
 /// on it at the start are NodeFaces' business.
 ///
+/// Rigid bodies are met by the distance to their surface, whose gradient is the normal; a point remembers by which side
+/// it came, and the way that it has gone since the step before tells whether it has come through one, so that no wall
+/// is too thin.
+///
 /// Points near enough to matter are listed, and the lists hold until something has moved half their margin. The
 /// geometry (the averaged normals, the shares w_q / sum w, the springs' stiffness) holds until something has moved by a
 /// fiftieth of a spacing; in between depths follow the points, which is a linear, conservative spring between them. A
@@ -97,9 +122,10 @@ struct ContactFace {
 /// bits for any threads.
 class Contact {
  public:
-  /// @param total, updated  steppers of the model's bodies; none where there are no such bodies; outlive this object
+  /// @param total, updated, rigid  steppers of the model's bodies; none where there are no such bodies; outlive this
+  ///                               object
   /// @throws Error ("solve") where bodies overlap at the start.
-  Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* updated);
+  Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* updated, RigidBodies* rigid = nullptr);
 
   /// Finds the forces of the state as it stands.
   void update();
@@ -120,6 +146,20 @@ class Contact {
   void size_buffers(ContactBody& body);
   void add_links();
   void add_faces();
+  void add_rigid_points(std::size_t rigid);
+  void add_walls();
+  std::vector<double> friction_of(const ContactBody& body, const RigidBody& wall) const;
+  void add_wall(std::size_t body, std::size_t rigid, double share);
+  double shift_of_rigid() const;
+  void limit_rigid_step(const ContactBody& points, const RigidBody& wall, double modulus);
+  void list_candidates(ContactWall& wall);
+  void find_forces(ContactWall& wall);
+  bool look(ContactWall& wall, std::uint32_t point, const Vec3& z, Touch& touch) const;
+  void refuse_overlap(const ContactWall& wall) const;
+  void press(ContactWall& wall, std::uint32_t point, const Vec3& z, const Touch& touch);
+  void leave(ContactWall& wall, std::uint32_t point, double stiffness);
+  void find_fastest();
+  double time_to_go() const;
   void refuse_overlap() const;
   double reach(const ContactBody& a, const ContactBody& b) const { return 2 * std::max(a.spacing, b.spacing); }
   double farthest_shift(std::vector<Vec3> ContactBody::*anchor) const;
@@ -150,6 +190,10 @@ class Contact {
   std::vector<std::size_t> total_index_;  ///< per body: which of TotalLagrangian's
   std::vector<ContactLink> links_;
   std::vector<ContactFace> faces_;
+  RigidBodies* rigid_;
+  std::vector<ContactWall> walls_;
+  double rigid_step_ = INFINITY;           ///< stable for springs of free rigid bodies to come, at courant 1, s
+  std::vector<RigidState> rigid_anchor_;   ///< when the lists were made
   std::vector<double> material_friction_;  ///< per pair of materials
   std::vector<double> weights_;            ///< of a candidate's masters
   std::vector<std::uint32_t> everything_;  ///< 0, 1, 2, ...
@@ -163,6 +207,8 @@ class Contact {
   std::vector<Vec3> impulse_;  ///< since the last take_mean_force, N s
   double elapsed_ = 0;
   double last_step_ = 0, longest_step_ = 0;  ///< s
+  double fastest_ = 0;                       ///< of the active points, m/s
+  std::uint64_t updates_ = 2;                ///< so that nothing has been seen in the one before
   double stored_ = 0, friction_ = 0;
 };
 

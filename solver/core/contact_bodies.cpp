@@ -8,6 +8,7 @@
 
 #include "solver/core/contact.hpp"
 #include "solver/core/contact_laws.hpp"
+#include "solver/core/contact_touch.hpp"
 #include "solver/core/wave_speeds.hpp"
 #include "solver/model/error.hpp"
 
@@ -19,11 +20,12 @@ constexpr double kSteady = 0.02;
 
 }  // namespace
 
-Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* updated)
+Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* updated, RigidBodies* rigid)
     : model_(model),
       total_(total),
       updated_(updated),
       dimension_(model.domain.dimension),
+      rigid_(rigid),
       net_(model.bodies.size(), Vec3{0, 0, 0}),
       impulse_(model.bodies.size(), Vec3{0, 0, 0}) {
   for (const ContactLaw& law : contact_laws_of_materials(model)) material_friction_.push_back(law.friction);
@@ -31,19 +33,26 @@ Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* 
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     if (model.bodies[b].formulation == Formulation::total_lagrangian)
       add_total_body(static_cast<std::int32_t>(b), next++);
-    else
+    else if (model.bodies[b].formulation == Formulation::updated_lagrangian)
       add_updated_body(static_cast<std::int32_t>(b));
+  if (rigid_) rigid_anchor_.resize(rigid_->size());
+  for (std::size_t r = 0; r < rigid_anchor_.size(); ++r) add_rigid_points(r);
   for (ContactBody& body : bodies_) {
     size_buffers(body);
+    if (body.rigid >= 0) continue;
     margin_ = std::max(margin_, 0.5 * body.spacing);
     steady_ = steady_ > 0 ? std::min(steady_, kSteady * body.spacing) : kSteady * body.spacing;
   }
+  for (const ContactBody& body : bodies_)  // a ball is large beside the points of others
+    if (bodies_.size() == rigid_anchor_.size() || !(margin_ > 0)) margin_ = std::max(margin_, 0.5 * body.spacing);
   add_links();
   add_faces();
+  add_walls();
   make_lists();
   find_geometry();
   for (ContactLink& link : links_) find_forces(link, true);
   for (ContactFace& face : faces_) find_forces(face);
+  for (ContactWall& wall : walls_) find_forces(wall);
   refuse_overlap();
 }
 
@@ -93,7 +102,7 @@ void Contact::size_buffers(ContactBody& body) {
   body.live.reserve(count);
   const std::vector<Vec2> speeds = material_wave_speeds(model_);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t p = body.total ? body.surface.particle[i] : body.begin + i;
+    const std::size_t p = body.total ? body.surface.particle[i] : body.rigid >= 0 ? body.begin : body.begin + i;
     const double c_p = wave_speeds_of(model_, speeds, p)[0];
     body.modulus.push_back(model_.particles.mass[p] / model_.particles.reference_volume[p] * c_p * c_p);
     body.material.push_back(model_.particles.material[p]);
@@ -107,7 +116,7 @@ void Contact::size_buffers(ContactBody& body) {
 void Contact::add_links() {
   for (std::size_t a = 0; a < bodies_.size(); ++a)
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      if (!bodies_[b].total || (a == b && !model_.contact.self_contact)) continue;
+      if (!bodies_[b].total || bodies_[a].rigid >= 0 || (a == b && !model_.contact.self_contact)) continue;
       ContactLink link;
       link.slave = a;
       link.master = b;
@@ -146,6 +155,7 @@ void Contact::add_faces() {
 
 /// Springs as deep as this would throw the bodies apart.
 void Contact::refuse_overlap() const {
+  for (const ContactWall& wall : walls_) refuse_overlap(wall);
   for (const ContactLink& link : links_) {
     const ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
     for (std::uint32_t i : a.live) {

@@ -23,7 +23,8 @@ void add_material_energy(HistorySample& sum, const Particles& particles, const L
   }
 }
 
-HistorySample measure_block(const Particles& particles, const std::vector<PreparedLaw>& laws, const Vec3& gravity,
+/// Of particles of one body.
+HistorySample measure_range(const Particles& particles, const std::vector<PreparedLaw>& laws, const Vec3& gravity,
                             std::size_t begin, std::size_t end) {
   HistorySample sum;
   for (std::size_t p = begin; p < end; ++p) {
@@ -41,24 +42,40 @@ HistorySample measure_block(const Particles& particles, const std::vector<Prepar
   return sum;
 }
 
+/// f(begin, end) of the parts of bodies that deform in a block of particles.
+template <class F>
+void each_part(const Model& model, std::size_t block, F&& f) {
+  const std::size_t begin = block * kReductionBlock, end = begin + kReductionBlock;
+  for (const Body& body : model.bodies)
+    if (body.formulation != Formulation::rigid && body.begin < end && body.end > begin)
+      f(std::max(begin, body.begin), std::min(end, body.end));
+}
+
 }  // namespace
 
-Diagnostics::Diagnostics(const Particles& particles)
-    : blocks_((particles.size() + kReductionBlock - 1) / kReductionBlock) {
+Diagnostics::Diagnostics(const Model& model, const RigidBodies* rigid)
+    : blocks_((model.particles.size() + kReductionBlock - 1) / kReductionBlock), rigid_(rigid) {
+  const Particles& particles = model.particles;
   Vec3 moment{0, 0, 0};
-  for (std::size_t p = 0; p < particles.size(); ++p) {
-    mass_ += particles.mass[p];
-    moment = moment + particles.mass[p] * particles.reference_position[p];
-  }
+  for (const Body& body : model.bodies)
+    for (std::size_t p = body.begin; p < body.end && body.formulation != Formulation::rigid; ++p) {
+      mass_ += particles.mass[p];
+      moment = moment + particles.mass[p] * particles.reference_position[p];
+    }
+  each_free([&](const RigidBody& body) {
+    mass_ += body.inertia.mass;
+    moment = moment + body.inertia.mass * body.reference_centre;
+  });
   reference_centre_ = (1 / mass_) * moment;
 }
 
 HistorySample Diagnostics::measure(const Model& model, const std::vector<PreparedLaw>& laws, const Vec3& gravity,
                                    int threads) {
-  const std::size_t count = model.particles.size();
   parallel_for(blocks_.size(), threads, [&](std::size_t b) {
-    blocks_[b] =
-        measure_block(model.particles, laws, gravity, b * kReductionBlock, std::min(count, (b + 1) * kReductionBlock));
+    blocks_[b] = {};
+    each_part(model, b, [&](std::size_t begin, std::size_t end) {
+      add(blocks_[b], measure_range(model.particles, laws, gravity, begin, end));
+    });
   });
   HistorySample sum;
   for (const HistorySample& block : blocks_) add(sum, block);
@@ -66,14 +83,17 @@ HistorySample Diagnostics::measure(const Model& model, const std::vector<Prepare
   return sum;
 }
 
-void Diagnostics::add_motion(HistorySample& sample, const Particles& particles, int threads) {
+void Diagnostics::add_motion(HistorySample& sample, const Model& model, int threads) {
+  const Particles& particles = model.particles;
   parallel_for(blocks_.size(), threads, [&](std::size_t b) {
     HistorySample& block = blocks_[b] = {};
-    for (std::size_t p = b * kReductionBlock; p < std::min(particles.size(), (b + 1) * kReductionBlock); ++p) {
-      const Vec3 moment = particles.mass[p] * (particles.position[p] - reference_centre_);
-      block.angular_momentum = block.angular_momentum + cross(moment, particles.velocity[p]);
-      block.centre = block.centre + moment;
-    }
+    each_part(model, b, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) {
+        const Vec3 moment = particles.mass[p] * (particles.position[p] - reference_centre_);
+        block.angular_momentum = block.angular_momentum + cross(moment, particles.velocity[p]);
+        block.centre = block.centre + moment;
+      }
+    });
   });
   Vec3 moment{0, 0, 0};
   sample.angular_momentum = {0, 0, 0};
@@ -81,6 +101,9 @@ void Diagnostics::add_motion(HistorySample& sample, const Particles& particles, 
     sample.angular_momentum = sample.angular_momentum + block.angular_momentum;
     moment = moment + block.centre;
   }
+  each_free(
+      [&](const RigidBody& body) { moment = moment + body.inertia.mass * (body.now.centre - reference_centre_); });
+  if (rigid_) rigid_->add_to(sample, reference_centre_);
   sample.centre = reference_centre_ + (1 / mass_) * moment;
 }
 

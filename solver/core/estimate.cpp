@@ -108,6 +108,7 @@ RunEstimate estimate(const Model& model, const SolverOptions& options, const Out
   check_options(output);
   check_formulations(model, options);
   check_contact(model, options);
+  check_rigid(model);
   find_particle_forces(model);  // refuses loads
   RunEstimate result;
   const double count = static_cast<double>(model.particles.size());
@@ -142,12 +143,12 @@ RunEstimate estimate(const Model& model, const SolverOptions& options, const Out
     if (grid.fields.size() > 1) result.memory_bytes += GridContact(whole, grid).memory_bytes();  // refuses pairs
     fastest = std::max(fastest, fastest_signal_per_cell(whole, grid));
   }
-  result.time_step = options.courant / fastest;
   // Between two due times the steps are cut to a whole number.
   const double interval = std::min(
       {frame_interval(output, options.end_time), history_interval(output, options.end_time), options.end_time});
+  result.time_step = fastest > 0 ? options.courant / fastest : interval;
   result.steps = std::ceil(options.end_time / interval) * std::ceil(interval / result.time_step);
-  result.particle_steps = result.steps * count;
+  result.particle_steps = result.steps * static_cast<double>(deforming_particles(model));
   return result;
 }
 

@@ -23,18 +23,44 @@ Formulations::Formulations(Model& model, const SolverOptions& options, int threa
   check_options(options, model.domain.dimension);
   check_formulations(model, options);
   check_contact(model, options);
+  check_rigid(model);
   set_saturated_masses(model);
   sort_by_cell(model);
   set_k0_stress(model, options, threads);
-  if (has_formulation(model, Formulation::total_lagrangian)) total_.emplace(model, options, threads, kernels);
+  if (has_formulation(model, Formulation::rigid)) {
+    complete_state(model.particles);
+    rigid_.emplace(model, StepOptions(options, model.domain.dimension, model.shaking));
+  }
+  RigidBodies* const rigid = rigid_ ? &*rigid_ : nullptr;
+  if (has_formulation(model, Formulation::total_lagrangian)) total_.emplace(model, options, threads, kernels, rigid);
   if (has_formulation(model, Formulation::updated_lagrangian)) complete_state(model.particles);
-  if (has_formulation(model, Formulation::updated_lagrangian)) updated_.emplace(model, options, threads, kernels);
-  if (model.contact.method != ContactMethod::none && total_)
-    contact_.emplace(model, total_ ? &*total_ : nullptr, updated_ ? &*updated_ : nullptr);
+  if (has_formulation(model, Formulation::updated_lagrangian))
+    updated_.emplace(model, options, threads, kernels, rigid_bodies_carry(model) ? rigid : nullptr);
+  if (rigid_bodies_carry(model)) refuse_overlap();
+  const bool penalty = model.contact.method == ContactMethod::penalty;
+  if (penalty || (model.contact.method == ContactMethod::grid && total_))
+    contact_.emplace(model, total_ ? &*total_ : nullptr, updated_ ? &*updated_ : nullptr, penalty ? rigid : nullptr);
+}
+
+/// What lies deep in a rigid body at the start would be carried through it.
+void Formulations::refuse_overlap() const {
+  const int dimension = model_.domain.dimension;
+  for (const Body& body : model_.bodies)
+    for (std::size_t p = body.begin; p < body.end && body.formulation == Formulation::updated_lagrangian; ++p)
+      for (std::size_t r = 0; r < rigid_->size(); ++r) {
+        const double half = 0.5 * std::pow(model_.particles.reference_volume[p], 1.0 / dimension);
+        const auto foot = (*rigid_)[r].foot(model_.particles.position[p], INFINITY);
+        if (foot->distance < -half)
+          throw Error("solve",
+                      "depth of particle " + std::to_string(model_.particles.id[p]) + " of body '" + body.name +
+                          "' in rigid body '" + model_.bodies[(*rigid_)[r].body].name + "' at the start",
+                      shortest(-foot->distance) + " m", "at most half its edge, " + shortest(half) + " m");
+      }
 }
 
 double Formulations::stable_time_step() const {
   double least = contact_ ? contact_->stable_time_step(courant_) : INFINITY;
+  if (rigid_) least = std::min(least, rigid_->time_to_go(courant_ * model_.domain.cell));
   if (total_) least = std::min(least, total_->stable_time_step());
   if (updated_) least = std::min(least, updated_->stable_time_step());
   return least;
@@ -62,6 +88,7 @@ Failure Formulations::collapse(const std::string& what) {
 
 std::int64_t Formulations::step(double dt) {
   if (contact_) contact_->push(dt);
+  if (rigid_) rigid_->step(time_, dt);
   if (total_) total_->step(dt);
   if (updated_) updated_->step(dt);
   time_ += dt;
@@ -81,17 +108,20 @@ NodeWork Formulations::work() const {
   if (total_) work = work + total_->work();
   if (updated_) work = work + updated_->work();
   if (contact_) work.friction += contact_->friction();
+  if (rigid_) work.external += rigid_->external();
   return work;
 }
 
 void Formulations::begin_relaxing(double damping) {
   complete_state(model_.particles);
   start_velocity_ = model_.particles.velocity;
+  if (rigid_) rigid_->hold_still(true);
   if (total_) total_->begin_relaxing(damping);
   if (updated_) updated_->begin_relaxing(damping);
 }
 
 void Formulations::rest() {
+  if (rigid_) rigid_->hold_still(false);
   if (total_) total_->rest();
   model_.particles.velocity = std::move(start_velocity_);
   if (updated_) updated_->rest();
@@ -106,9 +136,11 @@ void Formulations::set_time(double time) {
 
 void Formulations::write_particles() {
   if (total_) total_->write_particles();
+  if (rigid_) rigid_->write(model_.particles);
 }
 
 ParticleStates Formulations::states() const {
+  if (rigid_) rigid_->write(model_.particles);
   return {model_.particles.size(), [this](std::size_t begin, std::size_t end, Particles& block) {
             copy_particles(model_.particles, begin, end, block);
             complete_state(block);
@@ -127,6 +159,7 @@ double Formulations::kinetic_energy() {
   if (total_) total_->write_motion();
   const Particles& particles = model_.particles;
   return affine_motion().kinetic + sum_over_nodes(particles.size(), threads_, [&](std::size_t p) {
+           if (model_.bodies[particles.body[p]].formulation == Formulation::rigid) return 0.0;
            return 0.5 * particles.mass[p] * dot(particles.velocity[p], particles.velocity[p]);
          });
 }
@@ -139,7 +172,7 @@ HistorySample Formulations::measure(Diagnostics& diagnostics) {
   } else {
     write_particles();
     sample = diagnostics.measure(model_, laws(), gravity(), threads_);
-    diagnostics.add_motion(sample, model_.particles, threads_);
+    diagnostics.add_motion(sample, model_, threads_);
   }
   const AffineMotion affine = affine_motion();
   sample.kinetic += affine.kinetic;
@@ -150,18 +183,21 @@ HistorySample Formulations::measure(Diagnostics& diagnostics) {
 }
 
 void Formulations::measure_contact(HistorySample& sample) {
-  if (model_.contact.method == ContactMethod::none) return;
+  const double elapsed = time_ - measured_;
+  measured_ = time_;
+  if (model_.contact.method == ContactMethod::none && !rigid_) return;
   if (contact_) {
     sample.contact = contact_->stored();
     sample.total += sample.contact;
     sample.contact_force = contact_->take_mean_force();
   }
   sample.contact_force.resize(model_.bodies.size(), Vec3{0, 0, 0});
-  const std::vector<Vec3> impulse = updated_ ? updated_->take_contact_impulse() : std::vector<Vec3>();
-  if (time_ > measured_)
-    for (std::size_t b = 0; b < impulse.size(); ++b)
-      sample.contact_force[b] = sample.contact_force[b] + (1 / (time_ - measured_)) * impulse[b];
-  measured_ = time_;
+  const auto add_impulse = [&](const std::vector<Vec3>& impulse) {
+    for (std::size_t b = 0; b < impulse.size() && elapsed > 0; ++b)
+      sample.contact_force[b] = sample.contact_force[b] + (1 / elapsed) * impulse[b];
+  };
+  if (updated_) add_impulse(updated_->take_contact_impulse());
+  if (rigid_) add_impulse(rigid_->take_impulse());
 }
 
 std::vector<std::string> Formulations::obstacles() const {

@@ -8,6 +8,7 @@
 
 #include "solver/core/contact.hpp"
 #include "solver/core/diagnostics.hpp"
+#include "solver/core/rigid_bodies.hpp"
 #include "solver/core/step_total.hpp"
 #include "solver/core/step_updated.hpp"
 #include "solver/model/particle_states.hpp"
@@ -38,7 +39,7 @@ class Formulations {
   /// The state as it stands, as long as this object stands and takes no step; the model's particles stay as they are.
   ParticleStates states() const;
   /// Whether the model's particles are asked for no state: all bodies are in nodal form.
-  bool all_nodal() const { return total_ && !updated_ && total_->all_nodal(); }
+  bool all_nodal() const { return total_ && !updated_ && !rigid_ && total_->all_nodal(); }
   /// Kinetic energy of the state as it stands, J. Brings the particles' positions and velocities up to date.
   double kinetic_energy();
   /// Energies and momenta of the state as it stands; time, step and dt are the caller's.
@@ -57,7 +58,11 @@ class Formulations {
 
   double time() const { return time_; }
   void set_time(double time);
-  const std::vector<PreparedLaw>& laws() const { return total_ ? total_->laws() : updated_->laws(); }
+  const std::vector<PreparedLaw>& laws() const {
+    return total_ ? total_->laws() : updated_ ? updated_->laws() : no_laws_;
+  }
+  /// The model's rigid bodies, or none.
+  const RigidBodies* rigid() const { return rigid_ ? &*rigid_ : nullptr; }
   const Vec3& gravity() const { return gravity_; }
   /// Of the nodes' conditions since the start or the last rest().
   NodeWork work() const;
@@ -70,12 +75,15 @@ class Formulations {
  private:
   AffineMotion affine_motion() const;
   void measure_contact(HistorySample& sample);
+  void refuse_overlap() const;
 
   Model& model_;
   Vec3 gravity_;
   int threads_;
   double time_ = 0, measured_ = 0;
   std::vector<Vec3> start_velocity_;
+  std::vector<PreparedLaw> no_laws_;  ///< where nothing deforms
+  std::optional<RigidBodies> rigid_;
   std::optional<TotalLagrangian> total_;
   std::optional<UpdatedLagrangian> updated_;
   double courant_;

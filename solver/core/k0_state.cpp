@@ -45,6 +45,11 @@ struct Bins {
   }
 };
 
+/// Rigid bodies neither bear nor weigh on what deforms here: others have their weight.
+bool is_rigid(const Model& model, std::size_t p) {
+  return model.bodies[model.particles.body[p]].formulation == Formulation::rigid;
+}
+
 double edge_of(const Model& model, std::size_t p) {
   return std::pow(model.particles.reference_volume[p], 1.0 / model.domain.dimension);
 }
@@ -69,6 +74,7 @@ std::vector<Slice> slice(const Model& model, double gravity) {
   std::vector<Slice> slices;
   slices.reserve(particles.size());
   for (std::size_t p = 0; p < particles.size(); ++p) {
+    if (is_rigid(model, p)) continue;
     const double edge = edge_of(model, p);
     double weight = particles.mass[p] * gravity;
     if (model.water)
@@ -142,6 +148,7 @@ void set_k0_stress(Model& model, const SolverOptions& options, int threads) {
   Particles& particles = model.particles;
   std::vector<std::uint8_t> borne(particles.size(), 1);
   parallel_for(particles.size(), threads, [&](std::size_t p) {
+    if (is_rigid(model, p)) return;
     const double v = std::max(0.0, pressure[p]), h = ratios[particles.material[p]] * v;
     Vec3 stress{-h, -h, -h};
     stress[D - 1] = -v;

@@ -45,6 +45,9 @@ void check_region(const Model& model, std::size_t index) {
                                  [&](const Body& candidate) { return candidate.name == *region.body; });
   if (body == model.bodies.end())
     throw Error("solve", "body of " + title(model, index), "'" + *region.body + "'", "the name of a body");
+  if (body->formulation == Formulation::rigid)
+    throw Error("solve", title(model, index) + " acts on a rigid body", "'" + *region.body + "'",
+                "a body that deforms; bodies.rigid says how a rigid one moves");
   if (imposes(model.loads[index]) && body->formulation == Formulation::updated_lagrangian)
     throw Error("solve", title(model, index) + " imposes a motion on the nodes of a body", "'" + *region.body + "'",
                 "a total-Lagrangian body; updated-Lagrangian ones share their nodes: give a box or a face");
@@ -58,10 +61,7 @@ void check_load(const Model& model, std::size_t index) {
   for (const auto& value : {load.velocity, load.displacement, load.traction, load.force})
     if (value && (!is_finite(*value) || (model.domain.dimension == 2 && (*value)[2] != 0)))
       throw Error("solve", title(model, index), "", "finite numbers, in plane strain in the plane");
-  for (std::size_t r = 0; r < load.table.size(); ++r)
-    if (!std::isfinite(load.table[r][0]) || !std::isfinite(load.table[r][1]) ||
-        (r > 0 && !(load.table[r - 1][0] < load.table[r][0])))
-      throw Error("solve", "table of " + title(model, index), shortest(load.table[r][0]) + " s", "rising times");
+  check_table(load.table, title(model, index));
   if (load.displacement && factor_at(load.table, 0) != 0)
     throw Error("solve", "table of " + title(model, index) + ", a displacement, at time 0",
                 shortest(factor_at(load.table, 0)), "0: it would jump there");
@@ -103,6 +103,27 @@ double factor_at(const std::vector<Vec2>& table, double time) {
   if (next == table.end()) return table.back()[1];
   const Vec2 &a = *(next - 1), &b = *next;
   return a[1] + (time - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+}
+
+double integral_of_factor(const std::vector<Vec2>& table, double time) {
+  // From the first row on, by trapezia; before it the factor is that of the row.
+  const auto from_first_row = [&](double t) {
+    double sum = 0, begin = table.front()[0];
+    if (t <= begin) return (t - begin) * table.front()[1];
+    for (const Vec2& row : table) {
+      const double end = std::min(t, row[0]);
+      sum += 0.5 * (factor_at(table, begin) + factor_at(table, end)) * (end - begin);
+      begin = end;
+    }
+    return sum + table.back()[1] * (t - begin);
+  };
+  return table.empty() ? time : from_first_row(time) - from_first_row(0);
+}
+
+void check_table(const std::vector<Vec2>& table, const std::string& of) {
+  for (std::size_t r = 0; r < table.size(); ++r)
+    if (!std::isfinite(table[r][0]) || !std::isfinite(table[r][1]) || (r > 0 && !(table[r - 1][0] < table[r][0])))
+      throw Error("solve", "table of " + of, shortest(table[r][0]) + " s", "rising times");
 }
 
 bool particle_in(const LoadRegion& region, const Model& model, std::size_t p) {

@@ -13,6 +13,10 @@ namespace scarp {
 
 /// Rows (time, factor): linear between rows, constant beyond the first and the last; 1 without rows.
 double factor_at(const std::vector<Vec2>& table, double time);
+/// Its integral from time 0 on, s.
+double integral_of_factor(const std::vector<Vec2>& table, double time);
+/// @throws Error ("solve") where a row is not finite or times do not rise.
+void check_table(const std::vector<Vec2>& table, const std::string& of);
 
 /// Whether the reference position X of particle p, or a node there, is in the region. Particles stand on a face of the
 /// domain where it is the border of their share of the volume.

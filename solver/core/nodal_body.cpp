@@ -93,6 +93,7 @@ void NodalBody::choose_special_nodes() {
   for (std::size_t i = 0; i < count; ++i) special[i] = body_.held[i] != 0;
   body_.conditions.faces.mark(special);
   body_.conditions.loads.mark(special);
+  body_.conditions.rigid.mark(special);
   std::vector<std::uint32_t> chosen, place(count, 0);
   for (std::uint32_t i = 0; i < count; ++i) {
     if (special[i]) {
@@ -247,7 +248,10 @@ void NodalBody::find_velocities(double dt, int threads) {
     body_.velocity[i] = body_.inverse_mass[i] * special_momentum_[i];
     hold(body_.velocity[i], body_.held_now[i]);
   }
-  if (dt > 0) body_.conditions.loads.hold(body_.velocity);
+  if (dt > 0) {
+    body_.conditions.loads.hold(body_.velocity);
+    body_.conditions.rigid.hold(body_.velocity);
+  }
   const kernels::VelocitySweep sweep{nodes_, dt, start_share()};
   for_each_chunk(layout_.nodes(), threads,
                  [&](std::size_t, std::size_t begin, std::size_t end) { kernels_.velocities(sweep, begin, end); });

@@ -26,12 +26,17 @@ NodeWork act_on_nodes(NodeConditions& conditions, const NodeStep& step, std::vec
     loads.push(step);
     work.external += loads.drive(step);  // first, so that damping does not see the reactions
   }
+  if (!conditions.rigid.empty()) {
+    conditions.rigid.begin(step);
+    work = work + conditions.rigid.act(step);
+  }
   if (conditions.damping > 0) work.damping += damp_nodes(step, conditions.damping, threads);
   if (!conditions.faces.empty()) work = work + conditions.faces.act(step, held_now);
   if (!loads.empty()) {
     work.external += loads.drive(step);
     work.external += loads.work_of_push(step);
   }
+  if (!conditions.rigid.empty()) work = work + conditions.rigid.act(step);
   work.external += conditions.faces.work_of_push(step);
   if (norm(missing_gravity) > 0)
     work.external += sum_over_nodes(step.count, threads, [&](std::size_t i) {

@@ -7,6 +7,7 @@
 
 #include "solver/core/loads.hpp"
 #include "solver/core/node_faces.hpp"
+#include "solver/core/rigid_nodes.hpp"
 
 namespace scarp {
 
@@ -14,6 +15,7 @@ namespace scarp {
 struct NodeConditions {
   NodeFaces faces;
   NodeLoads loads;
+  RigidNodes rigid;
   double damping = 0;  ///< Cundall's local factor, 0 to 1
 };
 
@@ -22,8 +24,9 @@ struct NodeConditions {
 /// The energy lost, J.
 double damp_nodes(const NodeStep& step, double factor, int threads);
 
-/// All conditions, in order: forces, damping, faces; imposed velocities first and last. `step.after` comes with
-/// internal forces, gravity and held axes done. The velocities mapped next are NodeLoads::hold's business.
+/// All conditions, in order: forces, damping, faces; imposed velocities and rigid bodies first and last. `step.after`
+/// comes with internal forces, gravity and held axes done. The velocities mapped next are the business of
+/// NodeLoads::hold and RigidNodes::hold.
 /// @param held_now         see NodeFaces::act
 /// @param missing_gravity  gravity of this step less the steady one that counts as potential energy, m/s2
 NodeWork act_on_nodes(NodeConditions& conditions, const NodeStep& step, std::vector<std::uint8_t>& held_now,

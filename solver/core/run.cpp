@@ -26,7 +26,7 @@ struct Run {
         sink(s),
         threads(std::max(1, t)),
         method(m, options, t, kernels),
-        diagnostics(m.particles),
+        diagnostics(m, method.rigid()),
         clock(output, options.end_time) {}
 
   HistorySample sample(double dt) {
@@ -118,7 +118,7 @@ void report_forms(Run& run, const kernels::Kernels& kernels) {
 void finish(Run& run) {
   const ParticleStates states = run.method.states();
   if (!run.sink.takes_blocks()) run.method.write_particles();
-  run.report.particle_steps = run.report.steps * static_cast<std::int64_t>(run.model.particles.size());
+  run.report.particle_steps = run.report.steps * static_cast<std::int64_t>(deforming_particles(run.model));
   run.report.end_time = run.method.time();
   run.report.reference_centre = run.diagnostics.reference_centre();
   run.report.largest_displacement = largest_displacement(states);

@@ -17,6 +17,7 @@
 #include "solver/core/total_loads.hpp"
 #include "solver/core/transfer.hpp"
 #include "solver/core/xpic.hpp"
+#include "solver/model/error.hpp"
 #include "solver/model/spare_memory.hpp"
 
 namespace scarp {
@@ -58,7 +59,7 @@ void forget_grid(TotalBody& body) {
 }  // namespace
 
 TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int threads,
-                                 const kernels::Kernels& kernels)
+                                 const kernels::Kernels& kernels, RigidBodies* rigid)
     : body_force(model.body_force),
       model_(model),
       options_(options, model.domain.dimension, model.shaking),
@@ -71,11 +72,25 @@ TotalLagrangian::TotalLagrangian(Model& model, const SolverOptions& options, int
   for (const Body& body : model.bodies)
     if (body.formulation == Formulation::total_lagrangian) bodies_.push_back(make_bare_body(model, body));
   set_loads(bodies_, model);
+  if (rigid) set_grips(*rigid);
   for (TotalBody& body : bodies_) body.conditions.damping = options_.damping;
   choose_back_ends(options, kernels);
   return_spare_memory();  // the grids that nodal bodies have forgotten
   reference_updates_.assign(bodies_.size(), 0);
   map_state();
+}
+
+void TotalLagrangian::set_grips(RigidBodies& rigid) {
+  for (std::size_t r = 0; r < rigid.size(); ++r)
+    for (TotalBody& body : bodies_) {
+      const Body& gripped = model_.bodies[model_.particles.body[body.begin]];
+      const Body& holder = model_.bodies[rigid[r].body];
+      const std::vector<std::string>& names = holder.rigid.grips;
+      if (std::find(names.begin(), names.end(), gripped.name) == names.end()) continue;
+      if (body.conditions.rigid.grip(rigid, r, body.node_positions, body.grid.cell) == 0)
+        throw Error("solve", "nodes of body '" + gripped.name + "' that rigid body '" + holder.name + "' grips", "none",
+                    "at least one that lies in it or on its surface");
+    }
 }
 
 std::optional<std::string> TotalLagrangian::obstacle(const SolverOptions& options, const TotalBody& body,
@@ -235,12 +250,14 @@ StressOutcome TotalLagrangian::step_particles(TotalBody& body, const Vec3& gravi
   if (options_.transfer == Transfer::xpic) {
     body.kept = body.held_now;
     body.conditions.loads.add_imposed_axes(body.kept);
+    body.conditions.rigid.add_axes(body.kept);
     filter_velocities(particles, body, options_.xpic_order, threads_);  // (3)
   }
   advance_particles(particles, body, options_.velocity_update(dt), dt, threads_);      // (3), (1)
   if (options_.transfer == Transfer::apic) advance_affine(particles, body, threads_);  // (3), (1)
   find_node_velocities(body, threads_);                                                // (5), (2)
   body.conditions.loads.hold(body.velocity);
+  body.conditions.rigid.hold(body.velocity);
   for (std::size_t i = 0; i < body.displacement.size(); ++i)
     body.displacement[i] = body.displacement[i] + dt * body.velocity[i];
   return update_stress(particles, body, body.laws, dt, threads_, find_speed);  // (5), (6), (1)

@@ -25,11 +25,12 @@ namespace scarp {
 /// With SolverOptions::reference_update all do, and steps may sort them anew (moving_reference.hpp).
 class TotalLagrangian {
  public:
-  /// Sorts the model's particles by cell, maps their momenta and stresses. `model` must outlive this object.
+  /// Sorts the model's particles by cell, maps their momenta and stresses. `model` must outlive this object, and so
+  /// must the rigid bodies that grip some of its bodies.
   /// @param kernels  those without lanes, Kernels{}, have particles go one by one: the oracle of all others
   /// @throws Error ("solve", "materials") where the model cannot be run.
   TotalLagrangian(Model& model, const SolverOptions& options, int threads,
-                  const kernels::Kernels& kernels = kernels::best_kernels());
+                  const kernels::Kernels& kernels = kernels::best_kernels(), RigidBodies* rigid = nullptr);
 
   /// Largest stable step, s: courant * min over bodies of cell / c, with c of the stiffest cell as it is now
   /// (method.md 1.2). The lumped second map of MUSL slows the shortest waves: elastic blocks with 1, 2, 3 points per
@@ -103,6 +104,7 @@ class TotalLagrangian {
   std::vector<std::string> obstacles_;
   std::vector<PreparedLaw> laws_;
   StepOptions options_;
+  void set_grips(RigidBodies& rigid);
   void choose_back_ends(const SolverOptions& options, const kernels::Kernels& kernels);
   std::optional<std::string> obstacle(const SolverOptions& options, const TotalBody& body,
                                       const kernels::Kernels& kernels) const;

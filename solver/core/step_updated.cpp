@@ -16,12 +16,12 @@
 namespace scarp {
 
 UpdatedLagrangian::UpdatedLagrangian(Model& model, const SolverOptions& options, int threads,
-                                     const kernels::Kernels& kernels)
+                                     const kernels::Kernels& kernels, RigidBodies* rigid)
     : model_(model),
       grid_(make_updated_grid(model, options.shape, threads)),
       order_(options.update),
       options_(options, model.domain.dimension, model.shaking),
-      conditions_(model, grid_, options.damping),
+      conditions_(model, grid_, options.damping, rigid),
       threads_(threads) {
   if (options.anti_locking == AntiLocking::f_bar) average_volumes(grid_);
   if (options_.transfer == Transfer::apic) begin_affine(model.particles, grid_, threads);
@@ -94,7 +94,7 @@ void UpdatedLagrangian::step(double dt) {
       find_node_velocities(grid_, threads_);  // (5)
     else
       take_updated_velocities(grid_, threads_);  // (5)
-    conditions_.hold(grid_);
+    conditions_.hold_again(grid_);
     bind_remapped(dt);
     take(update_stress(particles, grid_, laws_, dt, threads_));  // (5), (6)
   }

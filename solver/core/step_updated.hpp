@@ -22,9 +22,10 @@ namespace scarp {
 class UpdatedLagrangian {
  public:
   /// @param model  checked and sorted by cell; must outlive this object
+  /// @param rigid  bodies that carry nodes, or none; likewise
   /// @throws Error ("solve", "materials"), see make_updated_grid and UpdatedConditions
   UpdatedLagrangian(Model& model, const SolverOptions& options, int threads,
-                    const kernels::Kernels& kernels = kernels::best_kernels());
+                    const kernels::Kernels& kernels = kernels::best_kernels(), RigidBodies* rigid = nullptr);
 
   /// Largest stable step, s: courant * cell / (c + |v|), with c of the stiffest particle in the current configuration
   /// and v of the fastest (method.md 1.2). 0 where the state is not finite.

@@ -35,6 +35,35 @@ ClosestPoint found(const Vec3& p, const Vec3& point, Feature feature) {
   return {point, dot(d, d), 0, feature};
 }
 
+/// Whether the way from `from` along `way` meets a box.
+bool passes(const Vec3& from, const Vec3& way, const Vec3& low, const Vec3& high) {
+  double begin = 0, end = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double slack = 1e-9 * (high[a] - low[a] + std::abs(way[a]));
+    const double to_low = low[a] - slack - from[a], to_high = high[a] + slack - from[a];
+    if (way[a] == 0) {
+      if (to_low > 0 || to_high < 0) return false;
+      continue;
+    }
+    begin = std::max(begin, std::min(to_low / way[a], to_high / way[a]));
+    end = std::min(end, std::max(to_low / way[a], to_high / way[a]));
+  }
+  return begin <= end;
+}
+
+/// The share of the way at which it enters a triangle from its front; infinite where it does not. Triangles are taken a
+/// little larger than they are, so that nothing slips through between two.
+double entry(const Vec3& from, const Vec3& way, const std::array<Vec3, 3>& corners, const Vec3& normal) {
+  constexpr double missed = INFINITY, slack = -1e-9;
+  const double down = -dot(way, normal), height = dot(from - corners[0], normal);
+  if (!(down > 0) || height < 0 || height > down) return missed;
+  const double when = height / down;
+  const Vec3 at = from + when * way, u = corners[1] - corners[0], v = corners[2] - corners[0], w = at - corners[0];
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v);
+  const double D = uu * vv - uv * uv, s = (vv * wu - uv * wv) / D, t = (uu * wv - uv * wu) / D;
+  return s >= slack && t >= slack && s + t <= 1 - slack ? when : missed;
+}
+
 }  // namespace
 
 ClosestPoint closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -166,11 +195,13 @@ void TriangleTree::build(std::size_t begin, std::size_t end) {
   nodes_[self].next = static_cast<std::uint32_t>(nodes_.size());
 }
 
-std::optional<ClosestPoint> TriangleTree::closest(const Vec3& p, double max_distance) const {
+template <class Accept>
+std::optional<ClosestPoint> TriangleTree::closest_of(const Vec3& p, double max_distance, Accept&& accept) const {
   std::optional<ClosestPoint> best;
   if (!is_finite(p) || !(max_distance >= 0)) return best;
   double limit = max_distance * max_distance;
   const auto look = [&](const Triangle& t) {
+    if (!accept(t)) return;
     ClosestPoint candidate = closest_on_triangle(p, t.corners[0], t.corners[1], t.corners[2]);
     candidate.triangle = t.index;
     if (candidate.squared_distance > limit) return;
@@ -198,6 +229,46 @@ std::optional<ClosestPoint> TriangleTree::closest(const Vec3& p, double max_dist
     stack[depth++] = near;
   }
   return best;
+}
+
+std::optional<ClosestPoint> TriangleTree::closest(const Vec3& p, double max_distance) const {
+  return closest_of(p, max_distance, [](const Triangle&) { return true; });
+}
+
+std::optional<ClosestPoint> TriangleTree::closest_facing(const Vec3& p, double max_distance, const Vec3& facing,
+                                                         double least) const {
+  return closest_of(p, max_distance, [&](const Triangle& t) { return dot(t.normal, facing) > least; });
+}
+
+std::optional<std::uint32_t> TriangleTree::first_entered(const Vec3& from, const Vec3& to) const {
+  const Vec3 way = to - from;
+  std::optional<std::uint32_t> first;
+  double earliest = 1;
+  const auto look = [&](const Triangle& t) {
+    const double when = entry(from, way, t.corners, t.normal);
+    if (!(when <= earliest) || (first && when == earliest && t.index > *first)) return;
+    earliest = when;
+    first = t.index;
+  };
+  for (std::size_t i = 0; i < nodes_.size();) {
+    const Node& node = nodes_[i];
+    if (!passes(from, way, node.low, node.high)) {
+      i = node.next;
+      continue;
+    }
+    if (node.next == i + 1)
+      for (std::uint32_t t = node.begin; t < node.end; ++t) look(triangles_[t]);
+    ++i;
+  }
+  return first;
+}
+
+std::optional<Vec3> TriangleTree::normal_across(const ClosestPoint& closest) const {
+  const Triangle& t = triangles_[place_of_[closest.triangle]];
+  const auto feature = static_cast<std::size_t>(closest.feature);
+  if (feature == 0 || feature > 3) return t.normal;
+  if (t.border[feature - 1]) return std::nullopt;
+  return t.edge_normals[feature - 1] - t.normal;
 }
 
 const Vec3& TriangleTree::normal(const ClosestPoint& closest) const {

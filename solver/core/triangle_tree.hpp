@@ -40,6 +40,18 @@ class TriangleTree {
   /// The nearest point at a distance <= max_distance; of triangles that are equally near the first of the mesh.
   std::optional<ClosestPoint> closest(const Vec3& p, double max_distance) const;
 
+  /// The same of those triangles alone whose normals have a cosine above `least` with the unit vector `facing`.
+  std::optional<ClosestPoint> closest_facing(const Vec3& p, double max_distance, const Vec3& facing,
+                                             double least) const;
+  /// The first triangle that the way from `from` to `to` passes from its front to its back, if any.
+  std::optional<std::uint32_t> first_entered(const Vec3& from, const Vec3& to) const;
+
+  /// Unit normal of a triangle by its index in the mesh, which has an area.
+  const Vec3& face_normal(std::uint32_t triangle) const { return triangles_[place_of_[triangle]].normal; }
+  /// Of the face on the other side of the edge that a closest point lies on; elsewhere that of its own face. Nothing
+  /// on the border of an open mesh.
+  std::optional<Vec3> normal_across(const ClosestPoint& closest) const;
+
   /// The angle-weighted pseudo-normal there: its direction, not of unit length.
   const Vec3& normal(const ClosestPoint& closest) const;
 
@@ -72,6 +84,8 @@ class TriangleTree {
   void join_edges();
   void weigh_vertices(std::size_t vertices);
   void build(std::size_t begin, std::size_t end);
+  template <class Accept>
+  std::optional<ClosestPoint> closest_of(const Vec3& p, double max_distance, Accept&& accept) const;
 
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> place_of_;  ///< in triangles_, by index in the mesh

@@ -89,7 +89,7 @@ void add_wave_speeds(const Model& model, const UpdatedGrid& grid, const std::vec
 
 }  // namespace
 
-UpdatedConditions::UpdatedConditions(const Model& model, UpdatedGrid& grid, double damping)
+UpdatedConditions::UpdatedConditions(const Model& model, UpdatedGrid& grid, double damping, RigidBodies* rigid)
     : model_(model),
       damping_(damping),
       acting_faces_(std::any_of(model.domain.faces.begin(), model.domain.faces.end(),
@@ -97,7 +97,8 @@ UpdatedConditions::UpdatedConditions(const Model& model, UpdatedGrid& grid, doub
                                   return face.condition == FaceCondition::friction ||
                                          face.condition == FaceCondition::absorbing;
                                 })),
-      loads_(find_particle_forces(model)) {
+      loads_(find_particle_forces(model)),
+      rigid_(rigid) {
   conditions_.damping = damping;
   if (has_absorbing_face(model.domain)) material_speeds_ = material_wave_speeds(model);
   if (!loads_.empty() || model.water) particle_force_.assign(model.particles.size(), Vec3{0, 0, 0});
@@ -106,7 +107,10 @@ UpdatedConditions::UpdatedConditions(const Model& model, UpdatedGrid& grid, doub
 }
 
 void UpdatedConditions::follow(UpdatedGrid& grid) {
-  if (followed_ == grid.placings) return;
+  const bool others = followed_ != grid.placings;
+  if (rigid_ && others) places_ = places(grid, model_.domain);
+  if (rigid_ && (others || rigid_->move())) conditions_.rigid.find(*rigid_, places_, grid.cell);
+  if (!others) return;
   followed_ = grid.placings;
   if (!model_.loads.empty()) {
     conditions_.loads.impose(model_, places(grid, model_.domain), -1, grid.held);

@@ -16,10 +16,11 @@ namespace scarp {
 class UpdatedConditions {
  public:
   /// @throws Error ("solve"), see find_particle_forces, and where a motion is imposed on no node of the grid.
-  UpdatedConditions(const Model& model, UpdatedGrid& grid, double damping);
+  /// @param rigid  bodies that carry nodes, or none; outlive this object
+  UpdatedConditions(const Model& model, UpdatedGrid& grid, double damping, RigidBodies* rigid = nullptr);
 
-  /// Finds the nodes of faces and imposed motions anew where other nodes are occupied than before. What is imposed
-  /// takes its axes over from `grid.held`.
+  /// Finds the nodes of faces and imposed motions anew where other nodes are occupied than before, those of rigid
+  /// bodies also where these have moved. What is imposed takes its axes over from `grid.held`.
   void follow(UpdatedGrid& grid);
 
   /// Sets mapped velocities to what the last step imposed, to zero where a start at rest holds faces still.
@@ -27,10 +28,17 @@ class UpdatedConditions {
   void find_kept_axes(UpdatedGrid& grid) const {
     grid.kept = grid.held_now;
     conditions_.loads.add_imposed_axes(grid.kept);
+    conditions_.rigid.add_axes(grid.kept);
   }
   void hold(UpdatedGrid& grid) const {
     conditions_.faces.hold(grid.velocity);
     conditions_.loads.hold(grid.velocity);
+  }
+  /// The same of velocities mapped after the step. (Those mapped before it are not rigid bodies' business: the change
+  /// from them to theirs is what particles that come to be carried feel.)
+  void hold_again(UpdatedGrid& grid) const {
+    hold(grid);
+    conditions_.rigid.hold(grid.velocity);
   }
 
   /// See act_on_nodes; `grid.velocity_updated` comes with internal forces, gravity and held axes done.
@@ -54,6 +62,8 @@ class UpdatedConditions {
   std::vector<Vec2> material_speeds_;  ///< c_p and c_s; empty where no face is absorbing
   std::map<std::tuple<std::size_t, std::size_t, int>, Vec3> supports_;  ///< by field, node of the lattice and side, N
   std::vector<ParticleForces> loads_;
+  RigidBodies* rigid_;
+  std::vector<Vec3> places_;          ///< of the nodes, where there are rigid bodies
   std::vector<Vec3> particle_force_;  ///< per particle of the model, N; empty where none is loaded
 };
 

@@ -10,15 +10,18 @@
 
 #include "solver/model/domain.hpp"
 #include "solver/model/math.hpp"
+#include "solver/model/rigid_options.hpp"
 #include "solver/model/schema.hpp"
 
 namespace scarp {
 
-enum class Formulation { total_lagrangian, updated_lagrangian };
+enum class Formulation { total_lagrangian, updated_lagrangian, rigid };
 template <>
 struct enum_names<Formulation> {
-  static constexpr std::array<std::pair<std::string_view, Formulation>, 2> value{
-      {{"total-lagrangian", Formulation::total_lagrangian}, {"updated-lagrangian", Formulation::updated_lagrangian}}};
+  static constexpr std::array<std::pair<std::string_view, Formulation>, 3> value{
+      {{"total-lagrangian", Formulation::total_lagrangian},
+       {"updated-lagrangian", Formulation::updated_lagrangian},
+       {"rigid", Formulation::rigid}}};
 };
 
 /// How an open terrain surface becomes a solid.
@@ -198,6 +201,7 @@ struct BodyOptions {
   Vec3 velocity{0, 0, 0};
   std::vector<std::string> velocity_field;
   Formulation formulation = Formulation::total_lagrangian;
+  std::optional<RigidOptions> rigid;
 
   template <class V>
   void describe(V&& v) {
@@ -211,14 +215,17 @@ struct BodyOptions {
       Spec{.text = "cell of the body's reference grid; default: that of the domain", .unit = "m", .above = 0});
     v("material", material, Spec{.text = "name of its material", .required = true});
     v("materials", materials, Spec{.text = "rules that give single points another material; later rules win"});
-    v("velocity", velocity, Spec{.text = "initial velocity", .unit = "m/s"});
+    v("velocity", velocity,
+      Spec{.text = "initial velocity; of a rigid body whose motion is given, that of its motion", .unit = "m/s"});
     v("velocity_field", velocity_field,
       Spec{.text = "added to it: m/s, a formula of X, Y, Z (m) and pi per axis, such as \"0.1 * sin(pi * X / 50)\""});
     v("formulation", formulation,
       Spec{.text =
                "configuration in which the weights are taken: \"total-lagrangian\", the reference one, on a grid of "
                "the body's own; \"updated-lagrangian\", the current one, on the domain's grid, where such bodies "
-               "meet and stick, part and flow without limit"});
+               "meet and stick, part and flow without limit; \"rigid\": none, the body does not deform, and `rigid` "
+               "says how it moves"});
+    v("rigid", rigid, Spec{.text = "motion and surface of a body with formulation = \"rigid\""});
   }
 };
 

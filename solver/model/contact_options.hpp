@@ -52,7 +52,8 @@ struct ContactOptions {
                "and updated-Lagrangian bodies (these still share their grid); faces of the domain with friction stop "
                "total-Lagrangian bodies that come to them; \"grid\": updated-Lagrangian bodies have velocities of "
                "their own at the nodes of their grid, and where they meet they slide, stick and part after Coulomb's "
-               "law; where there are total-Lagrangian bodies, \"penalty\" holds for these"});
+               "law; where there are total-Lagrangian bodies, \"penalty\" holds for these. Rigid bodies are met by "
+               "springs with \"penalty\", else as bodies.rigid.surface says"});
     v("friction", friction, Spec{.text = "Coulomb coefficient", .at_least = 0});
     v("adhesion", adhesion,
       Spec{.text =
@@ -63,7 +64,7 @@ struct ContactOptions {
     v("stiffness", stiffness,
       Spec{.text =
                "of the springs: pressure per depth, as a multiple of the P-wave modulus of the softer body over the "
-               "spacing of the finer one's particles",
+               "spacing of the finer one's particles; a rigid body counts as neither beside one that deforms",
            .above = 0});
     v("self_contact", self_contact,
       Spec{.text =

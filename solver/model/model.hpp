@@ -46,6 +46,9 @@ struct Body {
   /// The surface that the particles were cut from, in the reference configuration; its site is not used. In two
   /// dimensions a prism, see `prism_mesh`. Empty where nobody knows one.
   TriangleMesh boundary;
+  double ball_radius = 0;  ///< m; of a ball (2D: a disk) about the centre of its boundary, else 0
+  /// Of the run, not stored with the model: motion and surface of a rigid body.
+  RigidOptions rigid;
 };
 
 /// What discretize hands to the solver: material points with everything that the run needs.
@@ -64,5 +67,11 @@ struct Model {
   /// Acceleration beside gravity at the reference position X, m/s2.
   std::function<Vec3(const Vec3& X, double time)> body_force;
 };
+
+/// Whether HistorySample::contact_force says anything of a body: of rigid ones always, of others where there is
+/// contact.
+inline bool reports_contact_force(const Model& model, const Body& body) {
+  return model.contact.method != ContactMethod::none || body.formulation == Formulation::rigid;
+}
 
 }  // namespace scarp

@@ -65,7 +65,8 @@ struct HistorySample {
   Vec3 momentum{0, 0, 0};
   Vec3 angular_momentum{0, 0, 0};  ///< sum of (x - RunReport::reference_centre) x m v, kg m2/s; plane strain: about z
   Vec3 centre{0, 0, 0};            ///< of mass, local, m
-  /// By contact on each body, N: the mean since the sample before. Empty where there is no contact.
+  /// By contact on each body, and by what they carry or hold on rigid ones, N: the mean since the sample before. Empty
+  /// where there is neither; see reports_contact_force.
   std::vector<Vec3> contact_force;
 };
 

@@ -15,7 +15,7 @@ namespace scarp {
 namespace {
 
 constexpr std::string_view kFormat = "scarp-model";
-constexpr std::int64_t kVersion = 3;  // 3: fields of the state may be absent
+constexpr std::int64_t kVersion = 4;  // 3: rigid bodies; 4: fields of the state may be absent
 constexpr const char* kFaces[6] = {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
 
 /// PARENT/000007: names are the user's and may hold anything, so groups are numbered.
@@ -121,6 +121,7 @@ void write_body(Hdf5Writer& file, const std::string& group, const Body& body) {
     file.array(entry + "/nodes", set.nodes);
   });
   file.group(group + "/boundary");
+  file.attribute(group + "/boundary", "ball_radius", body.ball_radius);
   file.array(group + "/boundary/vertices", body.boundary.vertices);
   file.array(group + "/boundary/triangles", body.boundary.triangles);
 }
@@ -167,6 +168,7 @@ Body read_body(const Hdf5Reader& file, const std::string& group) {
   body.held = read_list<NodeSet>(file, group + "/held",
                                  [&](const std::string& entry) { return read_node_set(file, entry, body.lattice); });
   body.boundary = read_boundary(file, group + "/boundary");
+  body.ball_radius = file.attribute<double>(group + "/boundary", "ball_radius");
   return body;
 }
 

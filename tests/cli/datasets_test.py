@@ -107,6 +107,23 @@ class Result:
         return worst
 
 
+    def most_beyond(self, bodies, x):
+        """Points of some bodies beyond a plane x, in the frame with most of them."""
+        most = 0
+        for entry in self.series:
+            with h5py.File(self.folder / entry["name"]) as frame:
+                of = numpy.isin(frame["VTKHDF/PointData/body"][:], bodies)
+                most = max(most, int(numpy.sum(frame["VTKHDF/Points"][:][of, 0] > x)))
+        return most
+
+    def impulse_over_momentum_lost(self, bodies, axis):
+        """Of the contact forces on bodies that do not move, over what those that do have lost."""
+        rows = self.history
+        impulse = sum((row["time"] - before["time"]) * row[f"contact_force_{axis}_{body}"]
+                      for before, row in zip(rows, rows[1:]) for body in bodies)
+        return impulse / (rows[0][f"momentum_{axis}"] - rows[-1][f"momentum_{axis}"])
+
+
 def surface_at(points, spacing, x):
     """Top of a plane-strain body at x: the highest centre within twice the spacing, and half a spacing above it."""
     near = points[abs(points[:, 0] - x) < 2 * spacing]
@@ -149,6 +166,10 @@ def found_in(check, result, runs):
         return surface_at(result.last_points(), result.spacing(), check["surface_at"])
     if "still_at" in check:
         return still_at(result.last_points(), result.last_displacements(), result.spacing(), check["still_at"], check["least"])
+    if "beyond" in check:
+        return result.most_beyond(**check["beyond"])
+    if "impulse" in check:
+        return result.impulse_over_momentum_lost(**check["impulse"])
     if "lowest" in check:
         return float(result.last_points()[:, 1].min())
     if "between" in check:

@@ -46,6 +46,8 @@ void add_run_inputs(const Project& project, Model& model) {
   localize_scenario(local, model.site.origin);
   model.loads = local.loads;
   model.contact = local.contact;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    model.bodies[b].rigid = local.bodies[b].rigid.value_or(RigidOptions{});
   if (!local.solver.body_force.empty())
     model.body_force = compile_field("solver.body_force", local.solver.body_force, model.site.origin);
   model.water.reset();

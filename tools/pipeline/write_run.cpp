@@ -49,10 +49,13 @@ RunWriter::RunWriter(const Project& project, const Model& model)
   history_ =
       "time,step,dt,kinetic,strain,plastic,potential,total,momentum_x,momentum_y,momentum_z,friction,damping,"
       "external,angular_momentum_x,angular_momentum_y,angular_momentum_z,centre_x,centre_y,centre_z";
-  if (model.contact.method != ContactMethod::none) {
-    history_ += ",contact";
-    for (const Body& body : model.bodies)
-      for (const char axis : {'x', 'y', 'z'}) history_ += std::string(",contact_force_") + axis + "_" + body.name;
+  has_contact_ = model.contact.method != ContactMethod::none;
+  if (has_contact_) history_ += ",contact";
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (!reports_contact_force(model, model.bodies[b])) continue;
+    force_columns_.push_back(b);
+    for (const char axis : {'x', 'y', 'z'})
+      history_ += std::string(",contact_force_") + axis + "_" + model.bodies[b].name;
   }
   history_ += '\n';
 }
@@ -86,11 +89,9 @@ void RunWriter::sample(const HistorySample& sample) {
                        sample.external, L[0], L[1], L[2], centre[0], centre[1]})
     append(value, ',');
   append(centre[2], ',');
-  if (!sample.contact_force.empty()) {
-    append(sample.contact, ',');
-    for (const Vec3& force : sample.contact_force)
-      for (double value : force) append(value, ',');
-  }
+  if (has_contact_) append(sample.contact, ',');
+  for (const std::size_t body : force_columns_)
+    for (double value : sample.contact_force[body]) append(value, ',');
   history_.back() = '\n';
 }
 

@@ -52,6 +52,8 @@ class RunWriter : public FrameSink {
   std::string history_;
   RunOut run_out_;
   std::size_t outside_ = 0;
+  bool has_contact_ = false;
+  std::vector<std::size_t> force_columns_;  ///< bodies whose contact force history.csv has
   double wall_ = 0, processor_ = 0;
 };
 

@@ -187,8 +187,36 @@ class Checker {
     check_points_per_cell(steps + "points_per_cell", body.points_per_cell);
     check_field(steps + "velocity_field", body.velocity_field);
     check_volume(steps + "volume", body.volume);
+    check_rigid(steps, body);
     for (std::size_t r = 0; r < body.materials.size(); ++r)
       check_rule(steps + "materials" + std::to_string(r), body.materials[r], body.volume);
+  }
+
+  void check_rigid(const Steps& steps, const BodyOptions& body) const {
+    if (body.formulation != Formulation::rigid) {
+      if (body.rigid) fail(steps + "rigid", path_of(steps + "rigid") + " is for formulation = \"rigid\"");
+      return;
+    }
+    if (!body.rigid)
+      fail(steps + "formulation", path_of(steps) + ": formulation = \"rigid\" needs the key \"rigid\"",
+           "rigid = { motion = \"fixed\" }, \"given\" or \"free\"");
+    if (!body.velocity_field.empty())
+      fail(steps + "velocity_field", path_of(steps + "velocity_field") + " is for bodies that deform");
+    const RigidOptions& rigid = *body.rigid;
+    const Steps at = steps + "rigid";
+    if (rigid.axis && flat()) fail(at + "axis", path_of(at + "axis") + ": plane strain has one axis, z");
+    if (rigid.axis && norm(*rigid.axis) == 0)
+      fail(at + "axis", path_of(at + "axis") + " has no direction", "any length above 0");
+    for (std::size_t g = 0; g < rigid.grips.size(); ++g)
+      check_reference(at + "grips" + std::to_string(g), rigid.grips[g], "body", names_of(scenario_.bodies));
+    check_table(at + "table", rigid.table);
+  }
+
+  void check_table(const Steps& steps, const std::vector<Vec2>& table) const {
+    for (std::size_t r = 1; r < table.size(); ++r)
+      if (!(table[r - 1][0] < table[r][0]))
+        fail(steps + std::to_string(r), path_of(steps) + ": times must rise",
+             "above " + shortest(table[r - 1][0]) + " s");
   }
 
   void check_field(const Steps& steps, const std::vector<std::string>& formulas) const {
@@ -302,10 +330,7 @@ class Checker {
       fail(steps, path_of(steps) + " must have one of \"velocity\", \"displacement\", \"traction\" and \"force\"");
     if (load.axes.empty() || load.axes.find_first_not_of("xyz") != std::string::npos)
       fail(steps + "axes", path_of(steps + "axes") + " must name axes", "letters of \"xyz\"");
-    for (std::size_t r = 1; r < load.table.size(); ++r)
-      if (!(load.table[r - 1][0] < load.table[r][0]))
-        fail(steps + "table" + std::to_string(r), path_of(steps + "table") + ": times must rise",
-             "above " + shortest(load.table[r - 1][0]) + " s");
+    check_table(steps + "table", load.table);
     if (load.displacement && (load.table.empty() || load.table[0][0] > 0 || load.table[0][1] != 0))
       fail(steps + "table", path_of(steps) + ": a displacement needs a table, which must be 0 at time 0",
            "[[0, 0], ...]");

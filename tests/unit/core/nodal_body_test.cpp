@@ -79,7 +79,7 @@ struct Outcome {
 Outcome take_steps(Model model, const SolverOptions& options, const Kernels& kernels, int steps = 100,
                    int threads = 1) {
   Formulations method(model, options, threads, kernels);
-  Diagnostics diagnostics(model.particles);
+  Diagnostics diagnostics(model);
   const bool nodal = options.back_end == BackEnd::nodal;
   for (const std::string& obstacle : method.obstacles()) EXPECT_EQ(obstacle.empty(), nodal) << obstacle;
   for (int step = 0; step < steps; ++step) method.step(2e-4);

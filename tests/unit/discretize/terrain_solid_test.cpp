@@ -3,6 +3,7 @@
 #include "discretize/terrain_solid.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "discretize/plan_integral.hpp"
@@ -241,6 +242,36 @@ TEST(TerrainSolid, NonsenseIsRefused) {
   ScanVolume unknown = above_plane(0);
   unknown.scan = "after";
   EXPECT_NE(refused(unknown, flat).find("'after'"), std::string::npos);
+}
+
+/// Rigid ground is the closed surface that the points were cut from.
+TEST(TerrainSolid, OfARigidBodyHasAClosedBoundary) {
+  for (const ScanVolume& volume : {above_plane(-2), sunk_by(1.5)}) {
+    Scene scene = terrain(0.5, grid_scan(12, 0, 8, dune), volume);
+    scene.scenario.bodies[0].formulation = Formulation::rigid;
+    scene.scenario.bodies[0].rigid.emplace();
+    const Model model = scene.build();
+    const TriangleMesh& mesh = model.bodies[0].boundary;
+    double volume_inside = 0;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (const auto& t : mesh.triangles) {
+      volume_inside += dot(mesh.vertices[t[0]], cross(mesh.vertices[t[1]], mesh.vertices[t[2]])) / 6;
+      for (std::size_t e = 0; e < 3; ++e) ++edges[{t[e], t[(e + 1) % 3]}];
+    }
+    EXPECT_NEAR(volume_inside, model.volumes[0].input_volume, 1e-9 * volume_inside);
+    for (const auto& [edge, count] : edges) {
+      ASSERT_EQ(count, 1);
+      ASSERT_EQ(edges.count({edge.second, edge.first}), 1u);
+    }
+    EXPECT_TRUE(model.bodies[0].held.empty());
+  }
+  Scene low = terrain(0.5, grid_scan(12, 0, 8, dune), above_plane(5));
+  low.scenario.bodies[0].formulation = Formulation::rigid;
+  EXPECT_NE(test::refusal(low).find("above its base"), std::string::npos);
+  Scene cut = terrain(0.5, grid_scan(12, 0, 8, dune), sunk_by(1));
+  std::get<ScanVolume>(cut.scenario.bodies[0].volume).outline = {{1, 1}, {5, 1}, {5, 5}};
+  cut.scenario.bodies[0].formulation = Formulation::rigid;
+  EXPECT_NE(test::refusal(cut).find("outline"), std::string::npos);
 }
 
 }  // namespace
