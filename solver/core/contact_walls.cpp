@@ -250,13 +250,16 @@ void Contact::press(ContactWall& wall, std::uint32_t i, const Vec3& z, const Tou
 
 void Contact::refuse_overlap(const ContactWall& wall) const {
   const ContactBody& body = bodies_[wall.body];
-  for (std::uint32_t i : wall.candidates) {
-    const auto foot = (*rigid_)[wall.rigid].foot(body.y[i], INFINITY);
-    const double depth = body.radius[i] - foot->distance, most = 0.5 * body.spacing;
-    if (wall.touching[i] && depth > most)
+  const RigidBody& rigid = (*rigid_)[wall.rigid];
+  const double most = 0.5 * body.spacing;
+  const Box3 box = box_of(rigid, dimension_);
+  for (std::uint32_t i = 0; i < body.size(); ++i) {
+    if (!within(box, body.y[i], body.radius[i], dimension_)) continue;
+    const double depth = body.radius[i] - rigid.foot(body.y[i], INFINITY)->distance;
+    if (depth > most)
       throw Error("solve",
                   "depth by which body '" + model_.bodies[body.body].name + "' and rigid body '" +
-                      model_.bodies[(*rigid_)[wall.rigid].body].name + "' overlap at the start",
+                      model_.bodies[rigid.body].name + "' overlap at the start",
                   shortest(depth) + " m", "at most half the spacing of its particles, " + shortest(most) + " m");
   }
 }
