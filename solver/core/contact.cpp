@@ -33,17 +33,17 @@ Vec3 times(const Sym6& S, const Vec3& a) {
 void Contact::update() {
   if (rigid_) rigid_->begin_contact();
   for (ContactBody& body : bodies_) follow(body);
-  // Walls are looked at in every step: a sharp one may be anywhere in the next.
-  const bool at_walls =
-      std::any_of(walls_.begin(), walls_.end(), [](const ContactWall& w) { return !w.candidates.empty(); });
-  const bool lists_hold = std::max(farthest_shift(&ContactBody::list_anchor), shift_of_rigid()) < allowed_;
-  const bool steady = lists_hold && !at_walls && farthest_shift(&ContactBody::geometry_anchor) < steady_;
+  find_fastest();
+  const auto shift = [&](auto anchor, const std::vector<RigidState>& of_rigid) {
+    return std::max(farthest_shift(anchor), shift_of_rigid(of_rigid));
+  };
+  const bool lists_hold = shift(&ContactBody::list_anchor, rigid_list_anchor_) < allowed_;
+  const bool steady = lists_hold && shift(&ContactBody::geometry_anchor, rigid_geometry_anchor_) < steady_;
   if (!steady) {
     for (ContactLink& link : links_) find_slides(link);
     if (!lists_hold) make_lists();
     find_geometry();
   }
-  find_fastest();
   for (ContactBody& body : bodies_)
     for (std::uint32_t i : body.live) body.force[i] = {0, 0, 0};
   stored_ = 0;
@@ -70,9 +70,9 @@ double Contact::farthest_shift(std::vector<Vec3> ContactBody::*anchor) const {
 }
 
 void Contact::set_anchor(ContactBody& body, std::vector<Vec3>& anchor) const {
-  if (body.rigid >= 0) return;
   if (body.total)
     return total_->anchor_contact(total_index_[static_cast<std::size_t>(&body - bodies_.data())], body.surface, anchor);
+  if (body.rigid >= 0) return;
   const auto first = model_.particles.position.begin() + static_cast<std::ptrdiff_t>(body.begin);
   anchor.assign(first, first + static_cast<std::ptrdiff_t>(body.size()));
 }
@@ -82,11 +82,7 @@ void Contact::locate(ContactBody& body, const std::vector<std::uint32_t>& points
   if (body.total)
     return total_->locate_contact(total_index_[static_cast<std::size_t>(&body - bodies_.data())], body.surface,
                                   points.data(), count, body.y, normals ? &body.n : nullptr);
-  if (body.rigid >= 0) {
-    const RigidBody& rigid = (*rigid_)[body.rigid];
-    for (std::size_t k = 0; k < count; ++k) body.y[points[k]] = rigid.place(rigid.now, body.reference[points[k]]);
-    return;
-  }
+  if (body.rigid >= 0) return locate_rigid(body, points, count);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = points[k], p = body.begin + i;
     body.y[i] = model_.particles.position[p];
@@ -123,7 +119,7 @@ void Contact::make_lists() {
     if (body.total) body.cells.build(body.y, 5 * margin_, dimension_);
   for (ContactLink& link : links_) list_candidates(link);
   for (ContactFace& face : faces_) list_candidates(face);
-  for (std::size_t r = 0; r < rigid_anchor_.size(); ++r) rigid_anchor_[r] = (*rigid_)[r].now;
+  set_anchor(rigid_list_anchor_);
   for (ContactWall& wall : walls_) list_candidates(wall);
   for (ContactBody& body : bodies_) {
     body.active.clear();
@@ -184,8 +180,8 @@ void Contact::find_geometry() {
   }
   for (ContactLink& link : links_) find_geometry(link);
   for (ContactFace& face : faces_) find_geometry(face);
-  for (const ContactWall& wall : walls_)
-    for (std::uint32_t i : wall.candidates) bodies_[wall.body].is_live[i] = 1;
+  set_anchor(rigid_geometry_anchor_);
+  for (ContactWall& wall : walls_) find_geometry(wall);
   for (ContactBody& body : bodies_)
     for (std::uint32_t i : body.active) {
       body.seen[i] = body.y[i];

@@ -150,16 +150,20 @@ class Contact {
   void add_walls();
   std::vector<double> friction_of(const ContactBody& body, const RigidBody& wall) const;
   void add_wall(std::size_t body, std::size_t rigid, double share);
-  double shift_of_rigid() const;
   void limit_rigid_step(const ContactBody& points, const RigidBody& wall, double modulus);
-  void list_candidates(ContactWall& wall);
-  void find_forces(ContactWall& wall);
-  bool look(ContactWall& wall, std::uint32_t point, const Vec3& z, Touch& touch) const;
   void refuse_overlap(const ContactWall& wall) const;
-  void press(ContactWall& wall, std::uint32_t point, const Vec3& z, const Touch& touch);
-  void leave(ContactWall& wall, std::uint32_t point, double stiffness);
+  void locate_rigid(ContactBody& body, const std::vector<std::uint32_t>& points, std::size_t count);
+  void set_anchor(std::vector<RigidState>& anchor) const;
+  double shift_of_rigid(const std::vector<RigidState>& anchor) const;
   void find_fastest();
   double time_to_go() const;
+  void list_candidates(ContactWall& wall);
+  void find_geometry(ContactWall& wall);
+  double stiffness_of(const ContactWall& wall, std::uint32_t point) const;
+  void find_forces(ContactWall& wall);
+  bool look(ContactWall& wall, std::uint32_t point, const Vec3& z, Touch& touch) const;
+  void press(ContactWall& wall, std::uint32_t point, const Vec3& z, const Touch& touch);
+  void leave(ContactWall& wall, std::uint32_t point, double stiffness);
   void refuse_overlap() const;
   double reach(const ContactBody& a, const ContactBody& b) const { return 2 * std::max(a.spacing, b.spacing); }
   double farthest_shift(std::vector<Vec3> ContactBody::*anchor) const;
@@ -192,8 +196,10 @@ class Contact {
   std::vector<ContactFace> faces_;
   RigidBodies* rigid_;
   std::vector<ContactWall> walls_;
-  double rigid_step_ = INFINITY;           ///< stable for springs of free rigid bodies to come, at courant 1, s
-  std::vector<RigidState> rigid_anchor_;   ///< when the lists were made
+  double rigid_step_ = INFINITY;  ///< stable for springs of free rigid bodies to come, at courant 1, s
+  std::vector<RigidState> rigid_list_anchor_, rigid_geometry_anchor_;
+  double fastest_ = 0;                     ///< of the live points, m/s
+  std::uint64_t updates_ = 2;              ///< so that nothing has been seen in the one before
   std::vector<double> material_friction_;  ///< per pair of materials
   std::vector<double> weights_;            ///< of a candidate's masters
   std::vector<std::uint32_t> everything_;  ///< 0, 1, 2, ...
@@ -207,8 +213,6 @@ class Contact {
   std::vector<Vec3> impulse_;  ///< since the last take_mean_force, N s
   double elapsed_ = 0;
   double last_step_ = 0, longest_step_ = 0;  ///< s
-  double fastest_ = 0;                       ///< of the active points, m/s
-  std::uint64_t updates_ = 2;                ///< so that nothing has been seen in the one before
   double stored_ = 0, friction_ = 0;
 };
 

@@ -8,7 +8,6 @@
 
 #include "solver/core/contact.hpp"
 #include "solver/core/contact_laws.hpp"
-#include "solver/core/contact_touch.hpp"
 #include "solver/core/wave_speeds.hpp"
 #include "solver/model/error.hpp"
 
@@ -35,16 +34,14 @@ Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* 
       add_total_body(static_cast<std::int32_t>(b), next++);
     else if (model.bodies[b].formulation == Formulation::updated_lagrangian)
       add_updated_body(static_cast<std::int32_t>(b));
-  if (rigid_) rigid_anchor_.resize(rigid_->size());
-  for (std::size_t r = 0; r < rigid_anchor_.size(); ++r) add_rigid_points(r);
+  for (std::size_t r = 0; rigid_ && r < rigid_->size(); ++r) add_rigid_points(r);
   for (ContactBody& body : bodies_) {
     size_buffers(body);
-    if (body.rigid >= 0) continue;
-    margin_ = std::max(margin_, 0.5 * body.spacing);
+    if (body.rigid < 0) margin_ = std::max(margin_, 0.5 * body.spacing);
     steady_ = steady_ > 0 ? std::min(steady_, kSteady * body.spacing) : kSteady * body.spacing;
   }
   for (const ContactBody& body : bodies_)  // a ball is large beside the points of others
-    if (bodies_.size() == rigid_anchor_.size() || !(margin_ > 0)) margin_ = std::max(margin_, 0.5 * body.spacing);
+    if (!(margin_ > 0)) margin_ = std::max(margin_, 0.5 * body.spacing);
   add_links();
   add_faces();
   add_walls();

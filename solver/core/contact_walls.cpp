@@ -131,11 +131,21 @@ void Contact::limit_rigid_step(const ContactBody& points, const RigidBody& wall,
   rigid_step_ = std::min(rigid_step_, 2 / std::sqrt(stiffness * mobility));
 }
 
-double Contact::shift_of_rigid() const {
+void Contact::locate_rigid(ContactBody& body, const std::vector<std::uint32_t>& points, std::size_t count) {
+  const RigidBody& rigid = (*rigid_)[body.rigid];
+  for (std::size_t k = 0; k < count; ++k) body.y[points[k]] = rigid.place(rigid.now, body.reference[points[k]]);
+}
+
+void Contact::set_anchor(std::vector<RigidState>& anchor) const {
+  anchor.clear();
+  for (std::size_t r = 0; rigid_ && r < rigid_->size(); ++r) anchor.push_back((*rigid_)[r].now);
+}
+
+double Contact::shift_of_rigid(const std::vector<RigidState>& anchor) const {
   double shift = 0;
-  for (std::size_t r = 0; r < rigid_anchor_.size(); ++r) {
+  for (std::size_t r = 0; r < anchor.size(); ++r) {
     const RigidBody& body = (*rigid_)[r];
-    const std::array<Vec3, 8> before = body.corners(rigid_anchor_[r]), now = body.corners(body.now);
+    const std::array<Vec3, 8> before = body.corners(anchor[r]), now = body.corners(body.now);
     for (std::size_t k = 0; k < 8; ++k) shift = std::max(shift, norm(now[k] - before[k]));
   }
   return shift;
@@ -174,6 +184,24 @@ void Contact::list_candidates(ContactWall& wall) {
   }
 }
 
+double Contact::stiffness_of(const ContactWall& wall, std::uint32_t i) const {
+  const ContactBody& body = bodies_[wall.body];
+  return wall.share * model_.contact.stiffness * body.area[i] * std::min(body.modulus[i], wall.modulus) / body.spacing;
+}
+
+/// Rigid surfaces are looked at in each step: here only what the springs may be until the next time counts.
+void Contact::find_geometry(ContactWall& wall) {
+  ContactBody& body = bodies_[wall.body];
+  const RigidBody& rigid = (*rigid_)[wall.rigid];
+  for (std::uint32_t i : wall.candidates) {
+    body.is_live[i] = 1;
+    const double way = 0.25 * body.spacing + 2 * steady_;
+    if (!wall.touching[i] && !rigid.foot(body.y[i], body.radius[i] + way)) continue;
+    body.stiffness[i] += stiffness_of(wall, i);
+    body.pressed = true;
+  }
+}
+
 void Contact::leave(ContactWall& wall, std::uint32_t i, double stiffness) {
   if (wall.touching[i]) friction_ += 0.5 * stiffness * dot(wall.stretch[i], wall.stretch[i]);
   wall.touching[i] = 0;
@@ -186,8 +214,7 @@ void Contact::find_forces(ContactWall& wall) {
   for (std::uint32_t i : wall.candidates) {
     const Vec3 z = rigid.material_point(rigid.now, body.y[i]);
     Touch touch;
-    touch.stiffness =
-        wall.share * model_.contact.stiffness * body.area[i] * std::min(body.modulus[i], wall.modulus) / body.spacing;
+    touch.stiffness = stiffness_of(wall, i);
     const bool found = look(wall, i, z, touch);
     wall.last[i] = z;
     wall.seen[i] = updates_;
@@ -230,8 +257,6 @@ void Contact::press(ContactWall& wall, std::uint32_t i, const Vec3& z, const Tou
   const Vec3 slid = last_step_ > 0 ? of_b - of_a : kNone;
   const double closing = last_step_ > 0 ? -dot(slid, touch.n) * longest_step_ / last_step_ : 0;
   if (touch.depth + std::max(0.0, closing) > 0) {
-    a.stiffness[i] += touch.stiffness;
-    a.pressed = true;
     b.stiffen(meet, touch.stiffness);
     if (rigid_a) rigid_a->stiffen(meet, touch.stiffness);
   }
