@@ -108,6 +108,7 @@ void NodalBody::choose_special_nodes() {
   special_momentum_.assign(special_.size(), Vec3{0, 0, 0});
   body_.conditions.faces.renumber(place);
   body_.conditions.loads.renumber(place);
+  body_.conditions.rigid.renumber(place);
   body_.velocity.assign(chosen.size(), Vec3{0, 0, 0});
   body_.velocity_updated.assign(chosen.size(), Vec3{0, 0, 0});
   keep_only(body_.inverse_mass, chosen);

@@ -35,6 +35,11 @@ class RigidNodes {
   /// @return how many
   std::size_t grip(RigidBodies& bodies, std::size_t rigid, const std::vector<Vec3>& places, double cell);
 
+  /// Gives its nodes other numbers: place[i] for i.
+  void renumber(const std::vector<std::uint32_t>& place) {
+    for (Node& node : nodes_) node.node = place[node.node];
+  }
+
   /// Finds how the bodies, which have taken the step already, move in it.
   void begin(const NodeStep& step);
   /// Lets them act on `step.after`; may be called again where something else has acted since.
