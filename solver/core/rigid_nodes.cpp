@@ -19,7 +19,11 @@ void RigidNodes::find(RigidBodies& bodies, const std::vector<Vec3>& places, doub
     for (std::uint32_t r = 0; r < bodies.size(); ++r) {
       const auto foot = bodies[r].foot(places[i], kDeepest * cell);
       if (!foot || foot->distance > 0.5 * cell) continue;
-      nodes_.push_back({i, r, places[i], foot->normal, false, bodies[r].kind, {}, {}, false, false});
+      nodes_.push_back({i, r, places[i], foot->normal, false, false, bodies[r].kind, {}, {}, false, false});
+      if (foot->distance >= 0) continue;
+      const Vec3 X = bodies[r].material_point(bodies[r].now, places[i]);
+      const auto beyond = bodies[r].surface.at_sheet(X, -1.0 * foot->face);
+      nodes_.back().thin = beyond && beyond->distance > -cell;
     }
 }
 
@@ -30,7 +34,7 @@ std::size_t RigidNodes::grip(RigidBodies& bodies, std::size_t rigid, const std::
     const auto foot = bodies[rigid].foot(places[i], INFINITY);
     if (foot->distance > 1e-6 * cell) continue;
     nodes_.push_back(
-        {i, static_cast<std::uint32_t>(rigid), places[i], foot->normal, true, {true, 0}, {}, {}, false, false});
+        {i, static_cast<std::uint32_t>(rigid), places[i], foot->normal, true, false, {true, 0}, {}, {}, false, false});
   }
   return nodes_.size() - before;
 }
@@ -52,6 +56,7 @@ void RigidNodes::begin(const NodeStep& step) {
 /// Coulomb's friction with a body of infinite mass.
 void RigidNodes::rub(Node& node, Vec3& velocity) {
   const Vec3 relative = velocity - node.after;
+  if (node.thin && dot(relative, node.n) > 0) node.n = -1.0 * node.n;
   const double closing = -dot(relative, node.n);
   if (!(closing > 0)) return;
   const Vec3 slide = relative + closing * node.n;

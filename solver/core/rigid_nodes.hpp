@@ -17,7 +17,8 @@ namespace scarp {
 ///
 /// On a grid that stands in space these are the nodes inside a body and those within half a cell of it. Of the two ends
 /// of an edge that crosses its surface one is always among them, so that a body thinner than a cell lets nothing
-/// through; and where its surface lies between nodes it acts, on the mean, where it is.
+/// through; and where its surface lies between nodes it acts, on the mean, where it is. A node inside such a thin body
+/// does not know from which side material comes: along the normal it moves with the body, both ways.
 ///
 /// Work. The body's impulse on a node times its own velocity is what those give who move it: `external`. What the
 /// node's energy does not get of it is lost by impact and friction.
@@ -55,7 +56,7 @@ class RigidNodes {
     std::uint32_t rigid = 0;
     Vec3 x{0, 0, 0};  ///< m; of a gripped node in the reference configuration
     Vec3 n{0, 0, 0};  ///< out of the body
-    bool gripped = false;
+    bool gripped = false, thin = false;
     RigidSurface surface;
     Vec3 before{0, 0, 0}, after{0, 0, 0};  ///< velocity of the body there at both ends of the step, m/s
     bool pressed = false, stuck = false;   ///< in the step
