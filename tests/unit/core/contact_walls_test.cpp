@@ -324,7 +324,7 @@ TEST(FreeRigidBody, BouncesOffWhatItMeets) {
 TEST(FreeRigidBody, KeepsBothMomentaInACollision) {
   for (int dimension : {2, 3})
     for (int balls : {0, 1, 2})
-      for (const RigidSurface& surface : {RigidSurface{false, 0}, RigidSurface{false, 0.4}, RigidSurface{true, 0}}) {
+      for (const RigidSurface& surface : {RigidSurface{false, 0.4}, RigidSurface{true, 0}}) {
         const double middle = dimension == 3 ? 0.5 : 0;
         Model model = test::empty_model({0, 0, 0}, {2, 1, 2 * middle}, 0.125);
         for (int k = 0; k < 2; ++k) {
@@ -342,7 +342,7 @@ TEST(FreeRigidBody, KeepsBothMomentaInACollision) {
         }
         model.contact.method = ContactMethod::penalty;
         test::RecordingSink sink;
-        const RunReport report = run(model, test::solver(0.2, {0, 0, 0}, 0.1), test::output(0.1, 0.01), sink, 1);
+        const RunReport report = run(model, test::solver(0.1, {0, 0, 0}, 0.1), test::output(0.1, 0.01), sink, 1);
         ASSERT_FALSE(report.failed) << report.failure.what;
         const HistorySample &a = report.first, &b = report.last;
         const std::string name = std::to_string(dimension) + "D, balls: " + std::to_string(balls) +
