@@ -207,7 +207,7 @@ class RigidPlate : public testing::TestWithParam<std::tuple<int, BackEnd, Formul
 
 TEST_P(RigidPlate, ThrowsBackWhatComes) {
   Model model = thrown(how(), {false, 0.3}, {0.5, -2, 0});
-  SolverOptions options = test::solver(0.5, {0, 0, 0}, 0.2);
+  SolverOptions options = test::solver(0.5, {0, 0, 0}, 0.05);
   options.back_end = how().form;
   test::RecordingSink sink;
   const RunReport report = run(model, options, test::output(0.1, 0.005), sink, 1);
