@@ -130,7 +130,8 @@ void check_pair(const Model& model, const ContactPairOptions& pair, const std::s
   for (const std::string& wanted : names)
     if (!known(wanted))
       refuse(name, "'" + wanted + "'", pair.bodies.empty() ? "the name of a material" : "the name of a body");
-  if (!pair.bodies.empty() && names[0] == names[1]) refuse(name, "'" + names[0] + "' twice", "two bodies");
+  if (!pair.bodies.empty() && names[0] == names[1] && !model.contact.self_contact)
+    refuse(name, "'" + names[0] + "' twice", "two bodies, or contact.self_contact");
   if (!(pair.friction >= 0) || !std::isfinite(pair.friction))
     refuse("friction of " + name, shortest(pair.friction), "0 or above");
   if (pair.adhesion && (!(*pair.adhesion >= 0) || !std::isfinite(*pair.adhesion)))

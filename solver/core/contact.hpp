@@ -131,7 +131,8 @@ class Contact {
   void update();
   /// Gives them to the bodies for a step of dt.
   void push(double dt);
-  /// courant times the largest step that is stable for the springs as they stand, s; infinite where nothing touches.
+  /// s: the largest step that is stable for the springs as they stand, times courant, or a quarter at least where only
+  /// total-Lagrangian bodies meet; and one in which no point gets past what it comes to. Infinite where nothing does.
   double stable_time_step(double courant) const;
 
   double stored() const { return stored_; }      ///< in springs, J

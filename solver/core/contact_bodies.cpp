@@ -40,8 +40,8 @@ Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* 
     if (body.rigid < 0) margin_ = std::max(margin_, 0.5 * body.spacing);
     steady_ = steady_ > 0 ? std::min(steady_, kSteady * body.spacing) : kSteady * body.spacing;
   }
-  for (const ContactBody& body : bodies_)  // a ball is large beside the points of others
-    if (!(margin_ > 0)) margin_ = std::max(margin_, 0.5 * body.spacing);
+  // A ball is large beside the points of others, and counts where there is nothing else.
+  if (!(margin_ > 0) && !bodies_.empty()) margin_ = 0.5 * bodies_.front().spacing;
   add_links();
   add_faces();
   add_walls();
@@ -76,12 +76,8 @@ void Contact::add_updated_body(std::int32_t index) {
   body.body = index;
   body.begin = from.begin;
   const std::size_t count = from.end - from.begin;
-  double volume = 0;
-  for (std::size_t p = from.begin; p < from.end; ++p) {
-    volume += model_.particles.reference_volume[p];
-    body.mobility.push_back(1 / model_.particles.mass[p]);
-  }
-  body.spacing = std::pow(volume / static_cast<double>(count), 1.0 / dimension_);
+  for (std::size_t p = from.begin; p < from.end; ++p) body.mobility.push_back(1 / model_.particles.mass[p]);
+  body.spacing = mean_spacing(model_, from);
   body.area.assign(count, 0);
   body.radius.assign(count, 0);
   bodies_.push_back(std::move(body));

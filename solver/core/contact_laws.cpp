@@ -10,14 +10,20 @@
 namespace scarp {
 namespace {
 
-std::size_t index_of_material(const Model& model, const std::string& name) {
-  return static_cast<std::size_t>(std::find_if(model.materials.begin(), model.materials.end(),
-                                               [&](const NamedMaterial& m) { return m.name == name; }) -
-                                  model.materials.begin());
-}
-
 ContactLaw law_of(const Model& model, const ContactPairOptions& pair) {
   return {pair.friction, pair.adhesion.value_or(model.contact.adhesion)};
+}
+
+/// The last pair of these names, in either order.
+std::optional<ContactLaw> law_of_pair(const Model& model, std::vector<std::string> ContactPairOptions::*names,
+                                      const std::string& a, const std::string& b) {
+  std::optional<ContactLaw> law;
+  for (const ContactPairOptions& pair : model.contact.pairs) {
+    const std::vector<std::string>& of = pair.*names;
+    if (of.empty()) continue;
+    if ((of[0] == a && of[1] == b) || (of[0] == b && of[1] == a)) law = law_of(model, pair);
+  }
+  return law;
 }
 
 std::set<std::int32_t> materials_of(const Model& model, const Body& body) {
@@ -27,26 +33,22 @@ std::set<std::int32_t> materials_of(const Model& model, const Body& body) {
 
 }  // namespace
 
+std::optional<ContactLaw> contact_law_of_materials(const Model& model, std::int32_t a, std::int32_t b) {
+  return law_of_pair(model, &ContactPairOptions::materials, model.materials[a].name, model.materials[b].name);
+}
+
 std::vector<ContactLaw> contact_laws_of_materials(const Model& model) {
-  const std::size_t count = model.materials.size();
-  std::vector<ContactLaw> laws(count * count, {model.contact.friction, model.contact.adhesion});
-  for (const ContactPairOptions& pair : model.contact.pairs) {
-    if (pair.materials.empty()) continue;
-    const std::size_t a = index_of_material(model, pair.materials[0]), b = index_of_material(model, pair.materials[1]);
-    laws[a * count + b] = laws[b * count + a] = law_of(model, pair);
-  }
+  const auto count = static_cast<std::int32_t>(model.materials.size());
+  std::vector<ContactLaw> laws;
+  for (std::int32_t a = 0; a < count; ++a)
+    for (std::int32_t b = 0; b < count; ++b)
+      laws.push_back(
+          contact_law_of_materials(model, a, b).value_or(ContactLaw{model.contact.friction, model.contact.adhesion}));
   return laws;
 }
 
 std::optional<ContactLaw> contact_law_of_bodies(const Model& model, std::int32_t a, std::int32_t b) {
-  std::optional<ContactLaw> law;
-  for (const ContactPairOptions& pair : model.contact.pairs) {
-    if (pair.bodies.empty()) continue;
-    const std::string &first = model.bodies[a].name, &second = model.bodies[b].name;
-    if ((pair.bodies[0] == first && pair.bodies[1] == second) || (pair.bodies[0] == second && pair.bodies[1] == first))
-      law = law_of(model, pair);
-  }
-  return law;
+  return law_of_pair(model, &ContactPairOptions::bodies, model.bodies[a].name, model.bodies[b].name);
 }
 
 ContactLaw contact_law_between(const Model& model, std::int32_t a, std::int32_t b) {

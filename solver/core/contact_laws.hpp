@@ -21,6 +21,9 @@ struct ContactLaw {
 /// Per pair of materials, by index a * materials + b.
 std::vector<ContactLaw> contact_laws_of_materials(const Model& model);
 
+/// What is said of this pair of materials by name, if anything is.
+std::optional<ContactLaw> contact_law_of_materials(const Model& model, std::int32_t a, std::int32_t b);
+
 /// What holds for this pair of bodies by name, if anything does: it comes before their materials.
 std::optional<ContactLaw> contact_law_of_bodies(const Model& model, std::int32_t a, std::int32_t b);
 

@@ -201,13 +201,17 @@ void find_mobility(ContactSurface& surface, const ReferenceGrid& grid) {
 
 }  // namespace
 
+double mean_spacing(const Model& model, const Body& body) {
+  double volume = 0;
+  for (std::size_t p = body.begin; p < body.end; ++p) volume += model.particles.reference_volume[p];
+  return std::pow(volume / static_cast<double>(body.end - body.begin), 1.0 / model.domain.dimension);
+}
+
 ContactSurface find_contact_surface(const Model& model, const Body& body, const TotalBody& total) {
   const int dimension = model.domain.dimension;
   ContactSurface surface;
   surface.corners = total.grid.corners();
-  double volume = 0;
-  for (std::size_t p = body.begin; p < body.end; ++p) volume += model.particles.reference_volume[p];
-  surface.spacing = std::pow(volume / static_cast<double>(body.end - body.begin), 1.0 / dimension);
+  surface.spacing = mean_spacing(model, body);
   find_points(surface, model.particles, body, dimension);
   find_areas(surface, dimension);
   dimension == 2 ? find_weights<2>(surface, model, total) : find_weights<3>(surface, model, total);

@@ -38,6 +38,9 @@ struct ContactSurface {
   std::size_t size() const { return particle.size(); }
 };
 
+/// Edge of the mean volume of a body's particles, m.
+double mean_spacing(const Model& model, const Body& body);
+
 /// @param body  of which `total` was made; particles sorted by cell
 ContactSurface find_contact_surface(const Model& model, const Body& body, const TotalBody& total);
 

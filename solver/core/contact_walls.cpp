@@ -17,12 +17,6 @@ namespace {
 
 constexpr Vec3 kNone{0, 0, 0};
 
-double spacing_of(const Model& model, const Body& body) {
-  double volume = 0;
-  for (std::size_t p = body.begin; p < body.end; ++p) volume += model.particles.reference_volume[p];
-  return std::pow(volume / static_cast<double>(body.end - body.begin), 1.0 / model.domain.dimension);
-}
-
 Box3 box_of(const RigidBody& body, int dimension) {
   Box3 box;
   for (Vec3 x : body.corners(body.now)) {
@@ -42,7 +36,7 @@ void Contact::add_rigid_points(std::size_t index) {
   body.body = rigid.body;
   body.rigid = static_cast<std::int32_t>(index);
   body.begin = of.begin;
-  body.spacing = spacing_of(model_, of);
+  body.spacing = mean_spacing(model_, of);
   if (rigid.surface.is_ball()) {
     const double R = rigid.surface.radius();
     body.reference = {rigid.surface.centre()};
@@ -87,12 +81,10 @@ std::vector<double> Contact::friction_of(const ContactBody& body, const RigidBod
   const auto of = [](const RigidBody& rigid) { return rigid.kind.rough ? INFINITY : rigid.kind.friction; };
   const double own = body.rigid >= 0 ? std::min(of(wall), of((*rigid_)[body.rigid])) : of(wall);
   std::vector<double> friction(model_.materials.size(), own);
-  const std::string& of_wall = model_.materials[model_.particles.material[model_.bodies[wall.body].begin]].name;
-  for (const ContactPairOptions& pair : model_.contact.pairs)
-    for (std::size_t m = 0; m < friction.size() && !pair.materials.empty(); ++m)
-      if ((pair.materials[0] == of_wall && pair.materials[1] == model_.materials[m].name) ||
-          (pair.materials[1] == of_wall && pair.materials[0] == model_.materials[m].name))
-        friction[m] = pair.friction;
+  const std::int32_t of_wall = model_.particles.material[model_.bodies[wall.body].begin];
+  for (std::size_t m = 0; m < friction.size(); ++m)
+    if (const auto law = contact_law_of_materials(model_, static_cast<std::int32_t>(m), of_wall))
+      friction[m] = law->friction;
   if (const auto law = contact_law_of_bodies(model_, body.body, wall.body))
     friction.assign(friction.size(), law->friction);
   return friction;

@@ -36,6 +36,7 @@ bool stays_nodal(const Model& model, const SolverOptions& options) {
   const auto kernels = kernels_of(model);
   return options.back_end == BackEnd::nodal && !options.reference_update && options.transfer == Transfer::flip &&
          !options.relax && !options.k0 && !model.water && !has_formulation(model, Formulation::updated_lagrangian) &&
+         !has_formulation(model, Formulation::rigid) &&
          std::all_of(kernels.begin(), kernels.end(), [](const auto& kernel) { return kernel.has_value(); });
 }
 

@@ -62,4 +62,16 @@ std::vector<Found> kernels_of(const Model& model) {
   return found;
 }
 
+kernels::ParticleArrays arrays_of(Particles& particles) {
+  return {particles.position.data()->data(),
+          particles.velocity.data()->data(),
+          particles.deformation_gradient.data()->data(),
+          particles.stress.data()->data(),
+          particles.elastic_left_cauchy_green.data()->data(),
+          particles.equivalent_plastic_strain.data(),
+          particles.plastic_work.data(),
+          particles.mass.data(),
+          particles.reference_volume.data()};
+}
+
 }  // namespace scarp

@@ -7,6 +7,7 @@
 
 #include "solver/kernels/choose_kernels.hpp"
 #include "solver/kernels/nodal.hpp"
+#include "solver/kernels/particles.hpp"
 #include "solver/materials/material.hpp"
 #include "solver/model/model.hpp"
 
@@ -17,6 +18,9 @@ std::optional<kernels::LawParameters> kernel_of(const Material& material);
 
 /// The same for each of the model's materials.
 std::vector<std::optional<kernels::LawParameters>> kernels_of(const Model& model);
+
+/// The fields of particles that carry their state.
+kernels::ParticleArrays arrays_of(Particles& particles);
 
 /// The kernels of the widest packs up to `widest` that cells fill best, where lanes are the particles of one cell.
 /// @param cell_begin  range of each cell in a list of particles

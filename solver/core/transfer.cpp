@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/core/transfer.hpp"
 
+#include "solver/core/law_kernels.hpp"
 #include "solver/core/transfer_sweep.hpp"
 
 namespace scarp {
@@ -76,15 +77,7 @@ void advance_nodes(TotalBody& body, const Vec3& gravity, double dt, int threads)
 
 kernels::CellSweep cell_sweep(Particles& particles, TotalBody& body, VelocityUpdate update, double dt) {
   kernels::CellSweep sweep{};
-  sweep.position = particles.position.data()->data();
-  sweep.velocity = particles.velocity.data()->data();
-  sweep.deformation_gradient = particles.deformation_gradient.data()->data();
-  sweep.stress = particles.stress.data()->data();
-  sweep.elastic_left_cauchy_green = particles.elastic_left_cauchy_green.data()->data();
-  sweep.plastic_strain = particles.equivalent_plastic_strain.data();
-  sweep.plastic_work = particles.plastic_work.data();
-  sweep.mass = particles.mass.data();
-  sweep.reference_volume = particles.reference_volume.data();
+  sweep.particles = arrays_of(particles);
   sweep.xi = body.grid.xi.data()->data();
   sweep.first = body.begin;
   sweep.cell_begin = body.grid.cell_begin.data();

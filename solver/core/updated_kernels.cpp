@@ -18,18 +18,10 @@ void use_kernels(UpdatedGrid& grid, const Particles& particles, const kernels::K
 
 kernels::ParticleSweep particle_sweep(Particles& particles, UpdatedGrid& grid, VelocityUpdate update, double dt) {
   kernels::ParticleSweep sweep;
-  sweep.particles = {particles.position.data()->data(),
-                     particles.velocity.data()->data(),
-                     particles.deformation_gradient.data()->data(),
-                     particles.stress.data()->data(),
-                     particles.elastic_left_cauchy_green.data()->data(),
-                     particles.equivalent_plastic_strain.data(),
-                     particles.plastic_work.data(),
-                     grid.volume.data(),
-                     particles.mass.data(),
-                     particles.reference_volume.data(),
-                     grid.xi.data()->data(),
-                     grid.half_edge.data()};
+  sweep.particles = arrays_of(particles);
+  sweep.volume = grid.volume.data();
+  sweep.xi = grid.xi.data()->data();
+  sweep.half_edge = grid.half_edge.data();
   sweep.velocity = grid.velocity.data()->data();
   sweep.velocity_updated = grid.velocity_updated.data()->data();
   sweep.per_cell = 1 / grid.cell;

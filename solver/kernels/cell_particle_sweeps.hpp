@@ -121,16 +121,16 @@ void advance_cells(const CellSweep& sweep, std::size_t begin, std::size_t end) {
               carried[d] += phi[k] * after[d];
             }
           }
-          load_neighbours<D, 3>(sweep.velocity, lanes, v);
-          load_neighbours<D, 3>(sweep.position, lanes, x);
+          load_neighbours<D, 3>(sweep.particles.velocity, lanes, v);
+          load_neighbours<D, 3>(sweep.particles.position, lanes, x);
 #pragma GCC unroll 3
           for (int d = 0; d < D; ++d) {
             v[d] = sweep.kept * v[d] - sweep.less * held[d] + carried[d];
             x[d] += sweep.dt * carried[d];
           }
-          store_neighbours<D, 3>(sweep.velocity, lanes, v);
-          store_neighbours<D, 3>(sweep.position, lanes, x);
-          const Pack mass = choose(lanes.valid(), load_neighbours(sweep.mass, lanes), Pack{});
+          store_neighbours<D, 3>(sweep.particles.velocity, lanes, v);
+          store_neighbours<D, 3>(sweep.particles.position, lanes, x);
+          const Pack mass = choose(lanes.valid(), load_neighbours(sweep.particles.mass, lanes), Pack{});
 #pragma GCC unroll 3
           for (int d = 0; d < D; ++d) v[d] *= mass;
           give_to_slots<D>(
@@ -143,7 +143,7 @@ void advance_cells(const CellSweep& sweep, std::size_t begin, std::size_t end) {
 template <int D>
 SCARP_INLINE void advance_gradient(const CellSweep& sweep, const std::uint32_t* nodes, const Lanes& lanes,
                                    const Pack (&rise)[D][kCorners<D>], Pack (&old)[9], Deformation<D>& d) {
-  load_neighbours<9, 9>(sweep.deformation_gradient, lanes, old);
+  load_neighbours<9, 9>(sweep.particles.deformation_gradient, lanes, old);
   for (int i = 0; i < 9; ++i) d.F[i] = old[i];
   Pack slope[D][D] = {};
 #pragma GCC unroll 8
@@ -158,7 +158,7 @@ SCARP_INLINE void advance_gradient(const CellSweep& sweep, const std::uint32_t* 
   for (int i = 0; i < D; ++i)
 #pragma GCC unroll 3
     for (int axis = 0; axis < D; ++axis) d.F[3 * i + axis] += sweep.dt * slope[i][axis];
-  store_neighbours<9, 9>(sweep.deformation_gradient, lanes, d.F);
+  store_neighbours<9, 9>(sweep.particles.deformation_gradient, lanes, d.F);
   d.complete();
 }
 
@@ -173,18 +173,18 @@ SCARP_INLINE CurrentHistory<D> trial_history(const CellSweep& sweep, const Lanes
     for_entries<D>([&](int i) { before.F[i] = old[i]; });
     before.complete();
     Symmetric<D> b;
-    load_neighbours<Symmetric<D>::n, 6>(sweep.elastic_left_cauchy_green, lanes, b.a);
-    return {push_forward<D>(d.F, pull_back<D>(before, b)), load_neighbours(sweep.plastic_strain, lanes),
-            load_neighbours(sweep.plastic_work, lanes)};
+    load_neighbours<Symmetric<D>::n, 6>(sweep.particles.elastic_left_cauchy_green, lanes, b.a);
+    return {push_forward<D>(d.F, pull_back<D>(before, b)), load_neighbours(sweep.particles.plastic_strain, lanes),
+            load_neighbours(sweep.particles.plastic_work, lanes)};
   }
 }
 
 template <int D, class Law>
 SCARP_INLINE void keep_history(const CellSweep& sweep, const Lanes& lanes, const CurrentHistory<D>& history) {
   if constexpr (Law::template fields < D >> 0) {
-    store_neighbours<Symmetric<D>::n, 6>(sweep.elastic_left_cauchy_green, lanes, history.b_e.a);
-    store_neighbours<1, 1>(sweep.plastic_strain, lanes, &history.strain);
-    store_neighbours<1, 1>(sweep.plastic_work, lanes, &history.work);
+    store_neighbours<Symmetric<D>::n, 6>(sweep.particles.elastic_left_cauchy_green, lanes, history.b_e.a);
+    store_neighbours<1, 1>(sweep.particles.plastic_strain, lanes, &history.strain);
+    store_neighbours<1, 1>(sweep.particles.plastic_work, lanes, &history.work);
   }
 }
 
@@ -218,9 +218,9 @@ void deform_cells(const CellSweep& sweep, std::size_t begin, std::size_t end, co
             sigma[i] = tau.a[i] * d.per_J;
             check += sigma[i];
           }
-          store_neighbours<Symmetric<D>::n, 6>(sweep.stress, lanes, sigma);
+          store_neighbours<Symmetric<D>::n, 6>(sweep.particles.stress, lanes, sigma);
           if (sweep.find_speed) {
-            const Pack mass = choose(lanes.valid(), load_neighbours(sweep.mass, lanes), Pack{});
+            const Pack mass = choose(lanes.valid(), load_neighbours(sweep.particles.mass, lanes), Pack{});
             const Pack speed = law.template speed_squared<D>(stretch_of<D>(d), history);
             check += speed;
             stiffness += mass * speed;
@@ -228,7 +228,7 @@ void deform_cells(const CellSweep& sweep, std::size_t begin, std::size_t end, co
           }
           note_bad(lanes, (d.J > 0.0) & (d.J < 1e100) & ((check - check) == 0.0), result);
           first_piola<D>(tau, d, P);
-          const Pack V0 = choose(lanes.valid(), load_neighbours(sweep.reference_volume, lanes), Pack{});
+          const Pack V0 = choose(lanes.valid(), load_neighbours(sweep.particles.reference_volume, lanes), Pack{});
           for_entries<D>([&](int i) { P[i] *= -V0; });
           give_to_slots<D>(
               slots, first, [&](int k, int i) __attribute__((always_inline)) {

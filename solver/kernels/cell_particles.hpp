@@ -9,21 +9,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "solver/kernels/nodal.hpp"
+#include "solver/kernels/particles.hpp"
 
 namespace scarp::kernels {
 
-/// A sweep over the cells of a body. Fields of the model's particles, as solver/model/particles.hpp has them.
+/// A sweep over the cells of a body.
 struct CellSweep {
-  double* position;
-  double* velocity;
-  double* deformation_gradient;
-  double* stress;                     ///< Cauchy
-  double* elastic_left_cauchy_green;  ///< b_e
-  double* plastic_strain;
-  double* plastic_work;
-  const double* mass;
-  const double* reference_volume;
+  ParticleArrays particles;
   const double* xi;                 ///< place in the cell, three each, from the body's first particle on
   std::size_t first = 0;            ///< that particle
   const std::size_t* cell_begin;    ///< range of a cell in the model's particles

@@ -66,8 +66,8 @@ struct Weights {
 
   SCARP_INLINE Weights(const ParticleSweep& sweep, const CellRange& range, std::uint32_t c, const Lanes& lanes) {
     Pack xi[D], half = Pack{};
-    load_field<D>(sweep.particles.xi, 3, lanes, xi);
-    if constexpr (S == Shape::gimp) half = gather_lanes(sweep.particles.half_edge, 1, lanes);
+    load_field<D>(sweep.xi, 3, lanes, xi);
+    if constexpr (S == Shape::gimp) half = gather_lanes(sweep.half_edge, 1, lanes);
 #pragma GCC unroll 3
     for (int a = 0; a < D; ++a) {
       weigh<S>(xi[a], range.cells[c][a], sweep.cell_count[a], half, N[a], dN[a]);
@@ -100,7 +100,7 @@ SCARP_INLINE void each_pack(const CellRange& range, std::uint32_t c, F&& f) {
 template <int D>
 SCARP_INLINE void load_stress(const ParticleSweep& sweep, const Lanes& lanes, Pack (&s)[kSymmetric<D>]) {
   load_field<kSymmetric<D>>(sweep.particles.stress, 6, lanes, s);
-  const Pack V = choose(lanes.valid(), gather_lanes(sweep.particles.volume, 1, lanes), Pack{});
+  const Pack V = choose(lanes.valid(), gather_lanes(sweep.volume, 1, lanes), Pack{});
 #pragma GCC unroll 6
   for (int i = 0; i < kSymmetric<D>; ++i) s[i] *= V;
 }
@@ -325,7 +325,7 @@ void deform_particles(const ParticleSweep& sweep, const CellRange& range, const 
             check += sigma[i];
           }
           store_field<kSymmetric<D>>(sweep.particles.stress, 6, lanes, sigma);
-          scatter_lanes(sweep.particles.volume, 1, lanes, J * gather_lanes(sweep.particles.reference_volume, 1, lanes));
+          scatter_lanes(sweep.volume, 1, lanes, J * gather_lanes(sweep.particles.reference_volume, 1, lanes));
           const Stretch elastic = stretch_of<D>(history.b_e);
           const Pack speed = elastic.largest_squared() * law.template speed_squared<D>(elastic, history);
           check += speed;

@@ -32,16 +32,16 @@ struct ParticleArrays {
   double* elastic_left_cauchy_green;  ///< b_e
   double* plastic_strain;
   double* plastic_work;
-  double* volume;  ///< J V0, as the last sweep that moved particles left it
   const double* mass;
   const double* reference_volume;
-  const double* xi;         ///< place in the cell, three each
-  const double* half_edge;  ///< in cells; GIMP
 };
 
 /// A sweep over particles.
 struct ParticleSweep {
   ParticleArrays particles;
+  double* volume = nullptr;                  ///< J V0, as the last sweep that moved particles left it
+  const double* xi = nullptr;                ///< place in the cell, three each
+  const double* half_edge = nullptr;         ///< in cells; GIMP
   const double* velocity = nullptr;          ///< v_I, three per node
   const double* velocity_updated = nullptr;  ///< v~_I
   double per_cell = 0;                       ///< 1 / edge, 1/m

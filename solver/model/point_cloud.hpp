@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/model/math.hpp"
@@ -37,6 +39,13 @@ struct PointCloud {
   std::size_t size() const { return positions.size(); }
   bool empty() const { return positions.empty(); }
 };
+
+/// The scalar of that name, or null.
+inline const PointScalar* find_scalar(const PointCloud& cloud, std::string_view name) {
+  const auto found =
+      std::find_if(cloud.scalars.begin(), cloud.scalars.end(), [&](const PointScalar& s) { return s.name == name; });
+  return found == cloud.scalars.end() ? nullptr : &*found;
+}
 
 /// THE attribute list: calls f(vector) for every per-point vector, scalars included. Copying, selecting and
 /// appending go through here, so that a new attribute is added in one place.

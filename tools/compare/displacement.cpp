@@ -29,12 +29,6 @@ struct Vectors {
   std::vector<BlockMotion> motions;  ///< empty for measured targets
 };
 
-const PointScalar* find_scalar(const PointCloud& cloud, const std::string& name) {
-  for (const PointScalar& scalar : cloud.scalars)
-    if (scalar.name == name) return &scalar;
-  return nullptr;
-}
-
 /// Three scalars as vectors; empty where any is missing.
 std::vector<Vec3> vectors_of(const PointCloud& cloud, const std::array<std::string, 3>& names) {
   std::vector<Vec3> vectors(cloud.size());

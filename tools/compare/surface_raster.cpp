@@ -24,9 +24,7 @@ class Tangents {
  public:
   explicit Tangents(const FreeSurface& surface)
       : surface_(surface), spacing_(surface.spacing), plan_(in_plan(surface.cloud.positions)) {
-    const auto is_uncertainty = [](const PointScalar& s) { return s.name == "uncertainty"; };
-    const auto& scalars = surface.cloud.scalars;
-    uncertainty_ = &std::find_if(scalars.begin(), scalars.end(), is_uncertainty)->values;
+    uncertainty_ = &find_scalar(surface.cloud, "uncertainty")->values;
   }
 
   struct Height {

@@ -16,9 +16,8 @@ std::vector<std::uint16_t> scanners_of(const PointCloud& cloud, const ScannerOpt
                                        const std::string& which) {
   const std::size_t count = scanner.positions.size();
   if (count < 2) return {};
-  const auto field = std::find_if(cloud.scalars.begin(), cloud.scalars.end(),
-                                  [](const PointScalar& s) { return s.name == "scan_position"; });
-  if (field == cloud.scalars.end())
+  const PointScalar* field = find_scalar(cloud, "scan_position");
+  if (!field)
     throw Error("compare", "which of several scanners saw a point of the " + which + " side",
                 "no field \"scan_position\"", "a field \"scan_position\" of 1 to " + std::to_string(count));
   std::vector<std::uint16_t> scanners;

@@ -11,13 +11,6 @@
 #include "tools/pipeline/compared_cloud.hpp"
 
 namespace scarp {
-namespace {
-
-bool brings_vectors(const PointCloud& cloud) {
-  return std::any_of(cloud.scalars.begin(), cloud.scalars.end(), [](const PointScalar& s) { return s.name == "dx"; });
-}
-
-}  // namespace
 
 DisplacementSources vector_sources(std::variant<PointCloud, Frame> first, PointCloud second,
                                    std::optional<PointCloud> before, const CompareOptions& options,
@@ -40,7 +33,7 @@ DisplacementSources vector_sources(std::variant<PointCloud, Frame> first, PointC
     sources.targets = read_metric_cloud(options.displacement.targets->path, height_unit);
     note(options.displacement.targets->path, sources.targets->site);
   }
-  (brings_vectors(second) && !sources.targets ? sources.targets : sources.after) = std::move(second);
+  (find_scalar(second, "dx") && !sources.targets ? sources.targets : sources.after) = std::move(second);
   require_same_crs(names, crs);
   return sources;
 }

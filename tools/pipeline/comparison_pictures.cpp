@@ -20,12 +20,6 @@ const Heightfield* find_raster(const Comparison& result, const std::string& name
   return nullptr;
 }
 
-const PointScalar* find_scalar(const PointCloud& cloud, const std::string& name) {
-  for (const PointScalar& scalar : cloud.scalars)
-    if (scalar.name == name) return &scalar;
-  return nullptr;
-}
-
 /// A scalar of a cloud as a raster, means of the points in each cell.
 Heightfield as_raster(const PointCloud& cloud, const PointScalar& scalar, const RasterGrid& grid) {
   std::vector<Vec3> points;

@@ -221,26 +221,32 @@ TEST(ContactFace, StopsABodyThatComesToIt) {
 }
 
 /// The prongs of a fork swing towards each other, in the middle between them.
-double farthest_beyond_the_middle(bool self_contact, int dimension, BackEnd form, HistorySample& last,
-                                  double& energy_error) {
+constexpr double kMiddle = 0.7;
+
+Model fork(int dimension, bool self_contact) {
   Model model = test::empty_model({0, 0, 0}, {2, 1.4, dimension == 3 ? 0.3 : 0}, 0.1);
-  const double middle = 0.7;
   test::seed_body(
       model, "fork", NeoHookean{{1000, 1e5, 0.3}}, 2,
-      [=](const Vec3& X) { return X[0] < 0.4 || std::abs(X[1] - middle) > 0.2; },
-      [=](const Vec3& X) {
-        return Vec3{0, X[0] < 0.4 ? 0 : X[1] < middle ? 1. : -1., 0};
+      [](const Vec3& X) { return X[0] < 0.4 || std::abs(X[1] - kMiddle) > 0.2; },
+      [](const Vec3& X) {
+        return Vec3{0, X[0] < 0.4 ? 0 : X[1] < kMiddle ? 1. : -1., 0};
       });
   model.contact.method = ContactMethod::penalty;
   model.contact.self_contact = self_contact;
+  return model;
+}
+
+double farthest_beyond_the_middle(bool self_contact, int dimension, BackEnd form, HistorySample& last,
+                                  double& energy_error) {
+  Model model = fork(dimension, self_contact);
   SolverOptions options = test::solver(0.5, {0, 0, 0}, 0.2);
   options.back_end = form;
   test::RecordingSink sink;
   double farthest = -1;
   sink.on_frame = [&](const Model& m, double) {
     for (std::size_t p = 0; p < m.particles.size(); ++p) {
-      const bool lower = m.particles.reference_position[p][1] < middle;
-      const double beyond = (m.particles.position[p][1] - middle) * (lower ? 1 : -1);
+      const bool lower = m.particles.reference_position[p][1] < kMiddle;
+      const double beyond = (m.particles.position[p][1] - kMiddle) * (lower ? 1 : -1);
       if (m.particles.reference_position[p][0] > 0.4) farthest = std::max(farthest, beyond);
     }
   };
@@ -265,6 +271,23 @@ TEST(SelfContact, KeepsAForkFromPassingThroughItself) {
     }
 }
 
+TEST(SelfContact, RubsAsAPairOfOneBodySays) {
+  for (double friction : {0.0, 0.5}) {
+    Model model = fork(2, true);
+    model.contact.pairs = {{{"fork", "fork"}, {}, friction}};
+    for (std::size_t p = 0; p < model.particles.size(); ++p)  // so that the prongs slide over each other
+      if (model.particles.reference_position[p][0] > 0.4 && model.particles.reference_position[p][1] < kMiddle)
+        model.particles.velocity[p][0] = 1;
+    test::RecordingSink sink;
+    const RunReport report = run(model, test::solver(0.5, {0, 0, 0}, 0.2), test::output(0.1, 0.1), sink, 1);
+    ASSERT_FALSE(report.failed) << report.failure.what;
+    if (friction > 0)
+      EXPECT_GT(report.last.friction, 0);
+    else
+      EXPECT_EQ(report.last.friction, 0);
+  }
+}
+
 std::string refusal(Model& model, const SolverOptions& options) {
   test::RecordingSink sink;
   try {
@@ -283,6 +306,9 @@ TEST(ContactChecks, RefuseWhatCannotBe) {
   Model one = two_blocks(2, Formulation::total_lagrangian);
   one.contact.pairs = {{{"lower"}, {}, 0.1}};
   EXPECT_NE(refusal(one, options).find("two"), std::string::npos);
+  Model twice = two_blocks(2, Formulation::total_lagrangian);
+  twice.contact.pairs = {{{"lower", "lower"}, {}, 0.1}};
+  EXPECT_NE(refusal(twice, options).find("twice"), std::string::npos);
   Model updated = two_blocks(2, Formulation::updated_lagrangian);
   updated.bodies[0].formulation = Formulation::updated_lagrangian;
   EXPECT_NE(refusal(updated, options).find("total-Lagrangian"), std::string::npos);
