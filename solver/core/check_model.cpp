@@ -68,7 +68,7 @@ void check_particle(const Model& model, std::int32_t body, std::size_t p) {
     refuse("mass" + name(), shortest(particles.mass[p]), "above 0 kg");
   if (!(particles.reference_volume[p] > 0) || !std::isfinite(particles.reference_volume[p]))
     refuse("reference volume" + name(), shortest(particles.reference_volume[p]), "above 0 m3");
-  const Vec3 X = particles.reference_position[p], x = particles.position.empty() ? X : particles.position[p];
+  const Vec3 X = particles.reference_position[p], x = current_positions(particles)[p];
   if (!is_finite(X) || !is_finite(x)) refuse("position" + name(), text(x), "finite");
   const Vec3 v = particles.velocity.empty() ? Vec3{0, 0, 0} : particles.velocity[p];
   if (!is_finite(v)) refuse("velocity" + name(), text(v), "finite");

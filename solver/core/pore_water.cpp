@@ -68,10 +68,11 @@ Vec3 water_force(const WaterTable& water, const Particles& particles, std::size_
 void set_saturated_masses(Model& model) {
   if (!model.water) return;
   Particles& particles = model.particles;
+  const std::vector<Vec3>& position = current_positions(particles);
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const double volume = particles.reference_volume[p];
-    const double share = submerged_share(*model.water, particles.position[p], edge_of(volume, model.domain.dimension),
-                                         model.domain.dimension);
+    const double share =
+        submerged_share(*model.water, position[p], edge_of(volume, model.domain.dimension), model.domain.dimension);
     const auto density = [&](const auto& m) {
       if constexpr (requires { m.saturated_density; })
         return m.density + share * (m.saturated_density.value_or(m.density) - m.density);
@@ -103,7 +104,7 @@ void check_water(const Model& model, const SolverOptions& options) {
     if (!(water.line[i - 1][0] < water.line[i][0]))
       throw Error("solve", "line of the water table", shortest(water.line[i][0]) + " m", "x that rises");
   const Particles& particles = model.particles;
-  for (const Vec3& x : particles.position.empty() ? particles.reference_position : particles.position)
+  for (const Vec3& x : current_positions(particles))
     if (!std::isfinite(water_level(water, x)))
       throw Error("solve", "the water table has no value over a particle at",
                   "(" + shortest(x[0]) + ", " + shortest(x[1]) + ", " + shortest(x[2]) + ") m, local",

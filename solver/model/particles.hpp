@@ -82,6 +82,11 @@ inline void resize_particles(Particles& particles, std::size_t count) {
                  [&](const char*, const char*, auto& values, const auto& initial) { values.resize(count, initial); });
 }
 
+/// Where the particles are: at their reference positions where they have no state yet.
+inline const std::vector<Vec3>& current_positions(const Particles& particles) {
+  return particles.position.empty() ? particles.reference_position : particles.position;
+}
+
 /// Fills the fields of the state that are empty.
 inline void complete_state(Particles& particles) {
   if (particles.position.empty()) particles.position = particles.reference_position;

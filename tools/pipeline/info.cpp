@@ -90,8 +90,8 @@ std::string frame_info(const Frame& frame) {
 
 std::string model_info(const Model& model) {
   const Particles& particles = model.particles;
-  std::string text = "model\n  particles: " + std::to_string(particles.size()) + "\n" +
-                     box_line(bounds(particles.position.empty() ? particles.reference_position : particles.position));
+  std::string text =
+      "model\n  particles: " + std::to_string(particles.size()) + "\n" + box_line(bounds(current_positions(particles)));
   for (const Body& body : model.bodies)
     text += "  body " + body.name + ": " + std::to_string(body.end - body.begin) + " particles, cell " +
             shortest(body.lattice.cell) + " m\n";
