@@ -155,13 +155,8 @@ AffineMotion Formulations::affine_motion() const {
   return sum;
 }
 
-double Formulations::kinetic_energy() {
-  if (total_) total_->write_motion();
-  const Particles& particles = model_.particles;
-  return affine_motion().kinetic + sum_over_nodes(particles.size(), threads_, [&](std::size_t p) {
-           if (model_.bodies[particles.body[p]].formulation == Formulation::rigid) return 0.0;
-           return 0.5 * particles.mass[p] * dot(particles.velocity[p], particles.velocity[p]);
-         });
+double Formulations::kinetic_energy_of_nodes() const {
+  return (total_ ? total_->kinetic_energy_of_nodes() : 0) + (updated_ ? updated_->kinetic_energy_of_nodes() : 0);
 }
 
 HistorySample Formulations::measure(Diagnostics& diagnostics) {

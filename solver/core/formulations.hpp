@@ -40,8 +40,10 @@ class Formulations {
   ParticleStates states() const;
   /// Whether the model's particles are asked for no state: all bodies are in nodal form.
   bool all_nodal() const { return total_ && !updated_ && !rigid_ && total_->all_nodal(); }
-  /// Kinetic energy of the state as it stands, J. Brings the particles' positions and velocities up to date.
-  double kinetic_energy();
+  /// While relaxing: kinetic energy of the nodes in the last step, J. Particles of updated-Lagrangian bodies may keep
+  /// velocities beside it that sum to nothing on every node: they move nothing, no damping sees them, and rest() sets
+  /// them to zero.
+  double kinetic_energy_of_nodes() const;
   /// Energies and momenta of the state as it stands; time, step and dt are the caller's.
   HistorySample measure(Diagnostics& diagnostics);
   /// Per total-Lagrangian body: empty for the nodal form, else why the body is not in it.

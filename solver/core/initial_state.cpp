@@ -61,7 +61,7 @@ std::optional<Failure> relax(Formulations& method, const Model& model, const Sol
     method.step(dt);
     if (auto failure = method.failure()) return failure;
     time = dt < stable ? end : time + dt;
-    const double rested = quiet.after(time, method.kinetic_energy());
+    const double rested = quiet.after(time, method.kinetic_energy_of_nodes());
     if (!wanted.time && rested >= quiet_time(model.domain, stable, options.courant)) break;
   }
   method.rest();

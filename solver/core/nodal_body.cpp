@@ -306,6 +306,14 @@ void NodalBody::add_motion(NodeSums& sums, std::size_t node, const Vec3& p, doub
   sums.displaced = sums.displaced + mass * W;
 }
 
+double NodalBody::kinetic_energy_of_nodes(int threads) const {
+  const double of_kernels = sum_over_nodes(layout_.nodes(), threads, [&](std::size_t node) {
+    const Vec3 v = at(nodes_.v, node);
+    return per_mass_[node] > 0 ? 0.5 * dot(v, v) / per_mass_[node] : 0;
+  });
+  return of_kernels + scarp::kinetic_energy_of_nodes(special_mass_, body_.velocity, 1);
+}
+
 NodalBody::NodeSums NodalBody::measure_nodes(const Vec3& about, int threads) const {
   std::vector<NodeSums> parts((layout_.nodes() + kNodesPerTask - 1) / kNodesPerTask + 1);
   for_each_chunk(layout_.nodes(), threads, [&](std::size_t task, std::size_t begin, std::size_t end) {

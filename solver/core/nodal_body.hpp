@@ -73,8 +73,8 @@ class NodalBody {
   void write(Particles& particles, int threads) const;
   /// The same of those among [begin, end) of the model's particles, which `block` holds.
   void write(Particles& block, std::size_t begin, std::size_t end, int threads) const;
-  /// Position and velocity alone.
-  void write_motion(Particles& particles, int threads) const;
+  /// sum of m_I v_I^2 / 2, J.
+  double kinetic_energy_of_nodes(int threads) const;
   /// Energies, momenta, and sum m (x - X) into the sample's centre; no particle is touched for it.
   /// @param about  point of the angular momentum, m
   HistorySample measure(const Vec3& gravity, const Vec3& about, int threads) const;
@@ -105,7 +105,6 @@ class NodalBody {
   void scatter(double* const (&field)[3], const std::function<Vec3(std::size_t)>& value) const;
   template <int D, class F>
   void scatter_segments(double* const (&field)[3], F&& value) const;
-  template <bool whole>
   void write_segment(Particles& block, std::size_t begin, std::size_t end, std::size_t segment) const;
 
   const Model& model_;

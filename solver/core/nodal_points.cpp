@@ -132,8 +132,7 @@ void NodalBody::scatter(double* const (&field)[3], const std::function<Vec3(std:
   layout_.dimension == 2 ? scatter_segments<2>(field, value) : scatter_segments<3>(field, value);
 }
 
-/// Of the particles [begin, end) of the model that `block` holds; `whole`: F, stress and history too.
-template <bool whole>
+/// Of the particles [begin, end) of the model that `block` holds.
 void NodalBody::write_segment(Particles& block, std::size_t begin, std::size_t end, std::size_t s) const {
   const Segment& segment = layout_.segments[s];
   const auto kernel = kernels_.states[static_cast<int>(laws_[segment.law].kind)][layout_.dimension - 2][average_];
@@ -152,7 +151,6 @@ void NodalBody::write_segment(Particles& block, std::size_t begin, std::size_t e
         block.position[p][d] = block.reference_position[p][d] + state.displacement[d][lane];
         block.velocity[p][d] = share_ * v0[d] + state.velocity[d][lane];
       }
-      if constexpr (!whole) continue;
       for (int i = 0; i < 9; ++i) block.deformation_gradient[p][i] = state.F[i][lane];
       for (int i = 0; i < 6; ++i) block.elastic_left_cauchy_green[p][i] = state.b_e[i][lane];
       if (determinant(block.deformation_gradient[p]) > 0)
@@ -175,12 +173,7 @@ void NodalBody::write(Particles& block, std::size_t begin, std::size_t end, int 
   const auto from = holds == first.begin() ? holds : std::lower_bound(first.begin(), holds, *(holds - 1));
   const auto offset = static_cast<std::size_t>(from - first.begin());
   parallel_for(static_cast<std::size_t>(after - from), threads,
-               [&](std::size_t i) { write_segment<true>(block, begin, end, offset + i); });
-}
-
-void NodalBody::write_motion(Particles& particles, int threads) const {
-  parallel_for(layout_.segments.size(), threads,
-               [&](std::size_t s) { write_segment<false>(particles, 0, particles.size(), s); });
+               [&](std::size_t i) { write_segment(block, begin, end, offset + i); });
 }
 
 StepLimit NodalBody::step_limit() const {

@@ -63,4 +63,10 @@ double sum_over_nodes(std::size_t count, int threads, F&& f) {
   return sum;
 }
 
+/// sum of m_I v_I^2 / 2, J.
+inline double kinetic_energy_of_nodes(const std::vector<double>& mass, const std::vector<Vec3>& velocity, int threads) {
+  return 0.5 *
+         sum_over_nodes(mass.size(), threads, [&](std::size_t i) { return mass[i] * dot(velocity[i], velocity[i]); });
+}
+
 }  // namespace scarp

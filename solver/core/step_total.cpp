@@ -162,10 +162,12 @@ void TotalLagrangian::move_references() {
   }
 }
 
-void TotalLagrangian::write_motion() {
-  complete_state(model_.particles);
-  for (const auto& body : nodal_)
-    if (body) body->write_motion(model_.particles, threads_);
+double TotalLagrangian::kinetic_energy_of_nodes() const {
+  double sum = 0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    sum += nodal_[b] ? nodal_[b]->kinetic_energy_of_nodes(threads_)
+                     : scarp::kinetic_energy_of_nodes(bodies_[b].grid.node_mass, bodies_[b].velocity, threads_);
+  return sum;
 }
 
 void TotalLagrangian::write_particles() {

@@ -50,8 +50,8 @@ class TotalLagrangian {
   void write_particles();
   /// The same of those among [begin, end) of the model, in a block that holds them; the model's stay as they are.
   void write_particles(Particles& block, std::size_t begin, std::size_t end) const;
-  /// The same of their positions and velocities alone.
-  void write_motion();
+  /// sum of m_I v_I^2 / 2, J: of the motion that moves particles, and that damping acts on.
+  double kinetic_energy_of_nodes() const;
   /// Where all bodies are in nodal form: see NodalBody::measure.
   bool all_nodal() const;
   HistorySample measure(const Vec3& about) const;

@@ -87,6 +87,8 @@ void UpdatedLagrangian::step(double dt) {
     conditions_.find_kept_axes(grid_);
     filter_velocities(particles, grid_, options_.xpic_order, threads_);  // (3)
   }
+  if (relaxing_)
+    kinetic_energy_of_nodes_ = scarp::kinetic_energy_of_nodes(grid_.mass, grid_.velocity_updated, threads_);
   particle_speed_ = advance_particles(particles, grid_, options_.velocity_update(dt), dt, threads_);  // (3), (5)
   if (affine) advance_affine(particles, grid_, threads_);                                             // (3), (5)
   if (order_ != UpdateOrder::usf) {
@@ -138,6 +140,7 @@ void UpdatedLagrangian::push_contact(const std::vector<std::uint32_t>& particles
 }
 
 void UpdatedLagrangian::begin_relaxing(double damping) {
+  relaxing_ = true;
   for (std::uint32_t p : grid_.particles) model_.particles.velocity[p] = {0, 0, 0};
   conditions_.begin_relaxing(damping);
   options_.begin_relaxing();
@@ -146,6 +149,7 @@ void UpdatedLagrangian::begin_relaxing(double damping) {
 }
 
 void UpdatedLagrangian::rest() {
+  relaxing_ = false;
   for (std::uint32_t p : grid_.particles) model_.particles.position[p] = model_.particles.reference_position[p];
   conditions_.rest(grid_);
   place();

@@ -52,6 +52,8 @@ class UpdatedLagrangian {
 
   /// For a start at rest (see relax): velocities are zero, damping is `damping`, absorbing faces and loads hold still.
   void begin_relaxing(double damping);
+  /// While relaxing: sum of m_I v~_I^2 / 2 of the last step, J.
+  double kinetic_energy_of_nodes() const { return kinetic_energy_of_nodes_; }
   /// Ends it: each particle's position is its reference position, so that displacements count from here; stress, F and
   /// history stay. Time and work are zero, gravity is the steady one. The particles' velocities are the caller's to
   /// give, before.
@@ -82,6 +84,8 @@ class UpdatedLagrangian {
   std::vector<Vec3> contact_force_;        ///< per particle of the model, N; empty without contact
   std::vector<std::uint32_t> in_contact_;  ///< particles with such a force
   double time_ = 0;
+  bool relaxing_ = false;
+  double kinetic_energy_of_nodes_ = 0;
   int threads_;
   double wave_speed_ = 0;      ///< m/s, of the stiffest particle
   double particle_speed_ = 0;  ///< m/s, of the fastest

@@ -81,8 +81,7 @@ TEST(WaterTable, EffectiveStressIsThatOfBuoyantWeight) {
       model.water = level(table);
       SolverOptions options = at_rest(way, 0.05);
       options.relax = RelaxOptions{};
-      // Particles of updated bodies keep a little motion that no node sees.
-      options.relax->until = way.formulation == Formulation::total_lagrangian ? 1e-9 : 1e-6;
+      options.relax->until = 1e-9;
       RecordingSink sink;
       double worst = 0, pressure = 0;
       sink.on_frame = [&](const Model& m, double time) {
@@ -96,8 +95,8 @@ TEST(WaterTable, EffectiveStressIsThatOfBuoyantWeight) {
       };
       ASSERT_FALSE(run(model, options, output(0.05, 0.05), sink, 1).failed);
       validate_near(name + "largest error of sigma'_v / sigma'_v at the base", 0, worst / vertical(0, table),
-                    way.formulation == Formulation::total_lagrangian ? 2e-3 : 1e-2,
-                    "closed form at cell centres; small strain, and in UL what particles still move at 1e-6");
+                    way.formulation == Formulation::total_lagrangian ? 2e-3 : 3e-3,
+                    "closed form at cell centres; small strain, which in UL moves points off them");
       validate_near(name + "error of the pore pressure, Pa", 0, pressure, 1e-6, "hydrostatic");
     }
 }
