@@ -210,7 +210,7 @@ void deform_cells(const CellSweep& sweep, std::size_t begin, std::size_t end, co
           Deformation<D> d;
           advance_gradient<D>(sweep, nodes, lanes, rise, old, d);
           CurrentHistory<D> history = trial_history<D, Law>(sweep, lanes, old, d);
-          const Symmetric<D> tau = law.template kirchhoff<D>(history, d.J);
+          const Symmetric<D> tau = kirchhoff<D>(law, history, d.J);
           keep_history<D, Law>(sweep, lanes, history);
           Pack sigma[Symmetric<D>::n], check{};
 #pragma GCC unroll 6

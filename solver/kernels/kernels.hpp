@@ -27,6 +27,10 @@ struct Kernels {
   // Of `count` numbers, a multiple of kSegment; for tests and benchmarks.
   void (*natural_log)(const double* x, double* result, std::size_t count);
   void (*exponential)(const double* x, double* result, std::size_t count);
+  void (*inverse_root)(const double* x, double* result, std::size_t count);
+  // Of kSegment symmetric tensors, [entry][lane]; [D - 2]: ln(I + A) / 2 and exp(2 e) - I.
+  void (*half_log[2])(const double* A, double* result);
+  void (*exp_twice[2])(const double* e, double* result);
   /// `rounds` times twelve independent fused multiply-adds per lane: what the processor can do at best. Some number.
   double (*multiply_add)(std::int64_t rounds);
 };

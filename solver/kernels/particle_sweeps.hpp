@@ -315,7 +315,7 @@ void deform_particles(const ParticleSweep& sweep, const CellRange& range, const 
           Deformation<D> d;
           const Pack J = advance_gradient<D>(sweep, lanes, f, d);
           CurrentHistory<D> history = load_history<D, Law>(sweep, lanes, f, d);
-          const Symmetric<D> tau = law.template kirchhoff<D>(history, J);
+          const Symmetric<D> tau = kirchhoff<D>(law, history, J);
           store_history<D, Law>(sweep, lanes, history);
           const Pack per_J = 1.0 / J;
           Pack sigma[kSymmetric<D>], check{};

@@ -107,41 +107,72 @@ SCARP_INLINE Deformation<D> averaged(const Deformation<D>& d, Pack J_cell, Pack&
   return bar;
 }
 
-/// Of one point: what is summed over its cell with grad0 phi. Without averages P; with them
-///   J_c (sigma - s I) F^-T = scale P-bar - s J_c / J cof F, and s cof F of the cell's mean s, which comes later.
+/// Points of a cell that go through the law together.
+template <int D, class Law>
+struct Batch {
+  Deformation<D> d[Law::together];  ///< F, with averages F-bar
+  Pack scale[Law::together];        ///< with averages, of F to F-bar
+  Pack weight[Law::together];       ///< 0 where there is no point
+  double* memory[Law::together];
+  Points<D, typename Law::template Remembered<D>, Law::together> points;
+};
+
 template <int D, class Law, bool average>
-SCARP_INLINE void point_stress(const StressSweep& sweep, const Law& law, const Deformation<D>& d, Pack J_cell,
-                               Pack weight, double* history, Pack (&P)[9], CellSums<D>& sums) {
+SCARP_INLINE void begin_point(Batch<D, Law>& batch, int i, const Deformation<D>& d, Pack J_cell, Pack weight,
+                              double* memory, CellSums<D>& sums) {
   sums.bad |= ~(d.J > 0.0) & (weight > 0.0);
+  if constexpr (average)
+    batch.d[i] = averaged<D>(d, J_cell, batch.scale[i]);
+  else
+    batch.d[i] = d;
+  batch.weight[i] = weight;
+  batch.memory[i] = memory;
+  if constexpr (Law::together == 1) return;
+  batch.points.history[i].begin(batch.d[i], memory);
+  batch.points.J[i] = batch.d[i].J;
+  batch.points.A[i] = less_unit<D>(batch.points.history[i].elastic());
+}
+
+/// What is summed over the cell with grad0 phi. Without averages P; with them
+///   J_c (sigma - s I) F^-T = scale (P-bar - s J_c F-bar^-T), and s cof F of the cell's mean s, which comes later.
+template <int D, class Law, bool average>
+SCARP_INLINE void end_point(const StressSweep& sweep, const Law& law, const Batch<D, Law>& batch, int i, Pack J_cell,
+                            Pack (&P)[9], CellSums<D>& sums) {
+  const Deformation<D>& d = batch.d[i];
+  if constexpr (Law::together == 1)
+    law.template stress<D>(d, P);
+  else
+    first_piola<D>(batch.points.tau[i], d, P);
+  Pack stretched = all(1.0);
   if constexpr (average) {
-    Pack scale;
-    const Deformation<D> bar = averaged<D>(d, J_cell, scale);
-    stress_of<D>(law, bar, history, P);
     Pack work{};
-    for_entries<D>([&](int i) { work += P[i] * bar.F[i]; });
-    const Pack mean = work / (D * bar.J), factor = mean * J_cell * d.per_J;
-    for_entries<D>([&](int i) { P[i] = scale * P[i] - factor * d.cofactor[i]; });
-    sums.mean_stress += weight * mean;
-    if (sweep.find_speed)
-      sums.stiffness += weight * larger(all(1.0), scale * scale) *
-                        law.template speed_squared<D>(stretch_of<D>(bar), ReferenceHistory<D>{bar, history});
-  } else {
-    stress_of<D>(law, d, history, P);
-    if (sweep.find_speed)
-      sums.stiffness += weight * law.template speed_squared<D>(stretch_of<D>(d), ReferenceHistory<D>{d, history});
+    for_entries<D>([&](int k) { work += P[k] * d.F[k]; });
+    const Pack scale = batch.scale[i], mean = work * (1.0 / D) * d.per_J, factor = mean * J_cell * d.per_J;
+    for_entries<D>([&](int k) { P[k] = scale * (P[k] - factor * d.cofactor[k]); });
+    sums.mean_stress += batch.weight[i] * mean;
+    stretched = larger(all(1.0), scale * scale);
   }
+  if (sweep.find_speed)
+    sums.stiffness += batch.weight[i] * stretched *
+                      law.template speed_squared<D>(stretch_of<D>(d), ReferenceHistory<D>{&d, batch.memory[i]});
 }
 
 template <int D, class Law, bool average>
-SCARP_INLINE void regular_point(const StressSweep& sweep, const Law& law, const Segment& segment, int lane, int point,
-                                Pack J_cell, Pack here, const Pack (&g)[D][D][kHalf<D>], Pack (&h)[D][D][kHalf<D>],
-                                CellSums<D>& sums) {
+SCARP_INLINE void begin_regular_point(Batch<D, Law>& batch, int i, const StressSweep& sweep, const Segment& segment,
+                                      int lane, int point, Pack J_cell, Pack here, const Pack (&g)[D][D][kHalf<D>],
+                                      CellSums<D>& sums) {
   Deformation<D> d;
   regular_deformation<D>(g, point, d);
+  begin_point<D, Law, average>(batch, i, d, J_cell, here, history_of<D, Law>(sweep, segment, point, lane), sums);
+}
+
+template <int D, class Law, bool average>
+SCARP_INLINE void end_regular_point(const StressSweep& sweep, const Law& law, const Batch<D, Law>& batch, int i,
+                                    const Segment& segment, int lane, int point, Pack J_cell, Pack (&h)[D][D][kHalf<D>],
+                                    CellSums<D>& sums) {
   Pack P[9];
-  double* const history = history_of<D, Law>(sweep, segment, point, lane);
-  ask_for_place<Law::template fields<D>>(history, lane, segment.places);
-  point_stress<D, Law, average>(sweep, law, d, J_cell, here, history, P, sums);
+  ask_for_place<Law::template fields<D>>(batch.memory[i], lane, segment.places);
+  end_point<D, Law, average>(sweep, law, batch, i, J_cell, P, sums);
 #pragma GCC unroll 3
   for (int c = 0; c < D; ++c)
 #pragma GCC unroll 3
@@ -171,14 +202,30 @@ SCARP_INLINE void regular_cells(const StressSweep& sweep, const Law& law, const 
   keep_where<D>(V0 > 0.0, u);
   for (int c = 0; c < D; ++c) regular_gradient<D>(u[c], g[c]);
   const Pack J_cell = average ? regular_mean_volume<D>(g) : Pack{};
-  if constexpr (Law::light && !average) {
+  Batch<D, Law> batch;
+  if constexpr (Law::together == 1 && !average) {
 #pragma GCC unroll 8
-    for (int point = 0; point < kCorners<D>; ++point)
-      regular_point<D, Law, average>(sweep, law, segment, lane, point, J_cell, here, g, h, sums);
+    for (int point = 0; point < kCorners<D>; ++point) {
+      begin_regular_point<D, Law, average>(batch, 0, sweep, segment, lane, point, J_cell, here, g, sums);
+      end_regular_point<D, Law, average>(sweep, law, batch, 0, segment, lane, point, J_cell, h, sums);
+    }
+  } else if constexpr (Law::together == 1) {
+#pragma GCC unroll 1
+    for (int point = 0; point < kCorners<D>; ++point) {
+      begin_regular_point<D, Law, average>(batch, 0, sweep, segment, lane, point, J_cell, here, g, sums);
+      end_regular_point<D, Law, average>(sweep, law, batch, 0, segment, lane, point, J_cell, h, sums);
+    }
   } else {
+    static_assert(Law::together >= kCorners<D>);
+    batch.points.count = kCorners<D>;
+    batch.points.flow_count = 0;
 #pragma GCC unroll 1
     for (int point = 0; point < kCorners<D>; ++point)
-      regular_point<D, Law, average>(sweep, law, segment, lane, point, J_cell, here, g, h, sums);
+      begin_regular_point<D, Law, average>(batch, point, sweep, segment, lane, point, J_cell, here, g, sums);
+    law.stresses(batch.points);
+#pragma GCC unroll 1
+    for (int point = 0; point < kCorners<D>; ++point)
+      end_regular_point<D, Law, average>(sweep, law, batch, point, segment, lane, point, J_cell, h, sums);
   }
   if constexpr (average) {
 #pragma GCC unroll 1
@@ -233,36 +280,59 @@ SCARP_INLINE void cut_cells(const StressSweep& sweep, const Law& law, const Segm
   }
   Pack J_cell{}, volume = all(1.0);
   if constexpr (average) J_cell = cut_mean_volume<D>(sweep, segment, lane, a, volume);
-  const auto each_point = [&](auto&& stress_of) {
+  Batch<D, Law> batch;
+  const auto add = [&](const Pack(&m)[kCorners<D>], Pack V0, const Pack(&P)[9]) __attribute__((always_inline)) {
+    const Pack factor = -V0 * sweep.per_cell;
+#pragma GCC unroll 3
+    for (int c = 0; c < D; ++c)
+#pragma GCC unroll 3
+      for (int axis = 0; axis < D; ++axis) add_derivative<D>(sums.corner[c], m, axis, factor * P[3 * c + axis]);
+  };
+#pragma GCC unroll 1
+  for (int first = 0; first < segment.places; first += Law::together) {
+    const int count = segment.places - first < Law::together ? segment.places - first : Law::together;
+#pragma GCC unroll 1
+    for (int i = 0; i < count; ++i) {
+      const double* point = sweep.points + segment.points + (first + i) * ((D + 2) * kSegment) + lane;
+      Pack m[kCorners<D>];
+      monomials<D>(point, m);
+      const Pack V0 = load(point + D * kSegment);
+      Deformation<D> d;
+      cut_deformation<D>(a, m, V0, d);
+      double* const history = history_of<D, Law>(sweep, segment, first + i, lane);
+      ask_for_place<D + 2>(point, lane, segment.places);
+      ask_for_place<Law::template fields<D>>(history, lane, segment.places);
+      // Averages go by volume, the stiffness of a cell by mass: the two differ in their unit alone where a segment is
+      // of one law, as all are.
+      begin_point<D, Law, average>(batch, i, d, J_cell, V0, history, sums);
+      sums.weight += V0;
+    }
+    if constexpr (Law::together > 1) {
+      batch.points.count = count;
+      batch.points.flow_count = 0;
+      law.stresses(batch.points);
+    }
+#pragma GCC unroll 1
+    for (int i = 0; i < count; ++i) {
+      Pack m[kCorners<D>], P[9];
+      monomials<D>(sweep.points + segment.points + (first + i) * ((D + 2) * kSegment) + lane, m);
+      end_point<D, Law, average>(sweep, law, batch, i, J_cell, P, sums);
+      add(m, batch.weight[i], P);
+    }
+  }
+  if constexpr (average) {
+    const Pack mean = sums.mean_stress / volume;
 #pragma GCC unroll 1
     for (int place = 0; place < segment.places; ++place) {
       const double* point = sweep.points + segment.points + place * ((D + 2) * kSegment) + lane;
       Pack m[kCorners<D>], P[9];
       monomials<D>(point, m);
-      const Pack V0 = load(point + D * kSegment), factor = -V0 * sweep.per_cell;
+      const Pack V0 = load(point + D * kSegment);
       Deformation<D> d;
       cut_deformation<D>(a, m, V0, d);
-      stress_of(place, point, V0, d, P);
-#pragma GCC unroll 3
-      for (int c = 0; c < D; ++c)
-#pragma GCC unroll 3
-        for (int axis = 0; axis < D; ++axis) add_derivative<D>(sums.corner[c], m, axis, factor * P[3 * c + axis]);
+      for_entries<D>([&](int i) { P[i] = mean * d.cofactor[i]; });
+      add(m, V0, P);
     }
-  };
-  each_point([&](int place, const double* point, Pack V0, const Deformation<D>& d, Pack(&P)[9])
-                 __attribute__((always_inline)) {
-                   // Averages go by volume, the stiffness of a cell by mass: the two differ in their unit alone where a
-                   // segment is of one law, as all are.
-                   double* const history = history_of<D, Law>(sweep, segment, place, lane);
-                   ask_for_place<D + 2>(point, lane, segment.places);
-                   ask_for_place<Law::template fields<D>>(history, lane, segment.places);
-                   point_stress<D, Law, average>(sweep, law, d, J_cell, V0, history, P, sums);
-                   sums.weight += V0;
-                 });
-  if constexpr (average) {
-    const Pack mean = sums.mean_stress / volume;
-    each_point([&](int, const double*, Pack, const Deformation<D>& d, Pack(&P)[9])
-                   __attribute__((always_inline)) { for_entries<D>([&](int i) { P[i] = mean * d.cofactor[i]; }); });
   }
   for (int c = 0; c < D; ++c) to_corners<D>(sums.corner[c]);
   sums.weight = choose(sums.weight > 0.0, sums.weight, all(1.0));
@@ -380,11 +450,11 @@ template <int D, class Law>
 SCARP_INLINE void tell_stress(const Law& law, const Deformation<D>& d, double* history, int lane, PointState& out) {
   CurrentHistory<D> now{left_product<D>(d.F), Pack{}, Pack{}};
   if constexpr (Law::template fields < D >> 0) {
-    const ReferenceHistory<D> memory{d, history};
+    const ReferenceHistory<D> memory{&d, history};
     now = {memory.elastic(), memory.plastic_strain(), Pack{}};
   }
   const CurrentHistory<D> told = now;
-  const Symmetric<D> tau = law.template kirchhoff<D>(now, d.J);
+  const Symmetric<D> tau = kirchhoff<D>(law, now, d.J);
   for (int i = 0; i < 6; ++i) {
     const bool there = i < Symmetric<D>::n;
     store(out.stress[i] + lane, there ? tau.a[i] * d.per_J : Pack{});
@@ -543,6 +613,28 @@ void exp_of(const double* x, double* result, std::size_t count) {
   for (std::size_t i = 0; i < count; i += kLanes) store(result + i, exponential(load(x + i)));
 }
 
+void inverse_root_of(const double* x, double* result, std::size_t count) {
+  for (std::size_t i = 0; i < count; i += kLanes) store(result + i, inverse_root(load(x + i)));
+}
+
+/// f of kSegment tensors, [entry][lane].
+template <int D, class F>
+SCARP_INLINE void tensors_of(const double* A, double* result, F&& f) {
+  for (int lane = 0; lane < kSegment; lane += kLanes) {
+    Symmetric<D> s;
+    for (int i = 0; i < Symmetric<D>::n; ++i) s.a[i] = load(A + i * kSegment + lane);
+    s = f(s);
+    for (int i = 0; i < Symmetric<D>::n; ++i) store(result + i * kSegment + lane, s.a[i]);
+  }
+}
+template <int D>
+void half_log_of(const double* A, double* result) {
+  tensors_of<D>(A, result, [](const Symmetric<D>& s) { return half_log<D>(s); });
+}
+template <int D>
+void exp_twice_of(const double* e, double* result) {
+  tensors_of<D>(e, result, [](const Symmetric<D>& s) { return exp_twice<D>(s); });
+}
 double multiply_add(std::int64_t rounds) {
   Pack a[12];
   for (int k = 0; k < 12; ++k) a[k] = all(1 + k);
@@ -598,6 +690,11 @@ scarp::kernels::Kernels kernels(const char* name) {
   table.cells = cell_kernels();
   table.natural_log = log_of;
   table.exponential = exp_of;
+  table.inverse_root = inverse_root_of;
+  table.half_log[0] = half_log_of<2>;
+  table.half_log[1] = half_log_of<3>;
+  table.exp_twice[0] = exp_twice_of<2>;
+  table.exp_twice[1] = exp_twice_of<3>;
   table.multiply_add = multiply_add;
   return table;
 }
