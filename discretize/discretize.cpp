@@ -155,7 +155,7 @@ Model discretize(const DiscretizeInput& input) {
         model.bodies[b].boundary = terrain_boundary(*terrain, work.options.name);
       else
         model.bodies[b].held = hold_nodes(*terrain, work.grid, work.columns, work.cells, input.threads);
-      terrain->tin = {};  // as large as the scan, and of no more use
+      terrain->tin = terrain->base_tin = {};  // as large as the scans, and of no more use
     }
     dress(work, b, input, model, report);
     model.volumes.push_back(std::move(report));

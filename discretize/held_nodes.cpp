@@ -26,13 +26,12 @@ double surface_beside(const SubLattice& grid, const Columns& columns, std::int32
 /// Base elevation at every node in plan; NaN far from the solid.
 std::vector<double> base_at_nodes(const TerrainSolid& solid, const SubLattice& grid, const Columns& columns,
                                   const Axis& x, const Axis& y, int threads) {
-  std::vector<double> base = sample_tin(solid.tin, x, y, threads);
-  parallel_for(base.size(), threads, [&](std::size_t node) {
+  std::vector<double> top = sample_tin(solid.tin, x, y, threads);
+  parallel_for(top.size(), threads, [&](std::size_t node) {
     const auto i = static_cast<std::int32_t>(node % x.count), j = static_cast<std::int32_t>(node / x.count);
-    if (std::isnan(base[node])) base[node] = surface_beside(grid, columns, i, j);
-    if (!std::isnan(base[node])) base[node] = solid.base_below(base[node]);
+    if (std::isnan(top[node])) top[node] = surface_beside(grid, columns, i, j);
   });
-  return base;
+  return sample_base(solid, top, x, y, threads);
 }
 
 /// Whether a cell beside the node in plan holds a column outside the solid's plan.

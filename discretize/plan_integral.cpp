@@ -132,15 +132,98 @@ void add_triangle(const std::array<Vec3, 3>& triangle, const std::optional<PlanP
     for (int i = 0; i < piece.count; ++i) sum.bounds.extend(piece.corner[i]);
 }
 
-}  // namespace
+/// Triangles of a TIN by slots of its plan.
+class PlanBins {
+ public:
+  explicit PlanBins(const Tin& tin) : tin_(tin) {
+    for (const Vec3& p : tin.points) bounds_.extend(p);
+    side_ = std::clamp(static_cast<int>(std::sqrt(0.5 * static_cast<double>(tin.triangles.size()))), 1, 4096);
+    first_.assign(static_cast<std::size_t>(side_) * side_ + 1, 0);
+    for (int pass = 0; pass < 2; ++pass) {
+      for (std::uint32_t t = 0; t < tin.triangles.size(); ++t)
+        each_slot(box_of(t), [&](std::size_t s) {
+          if (pass == 0)
+            ++first_[s + 1];
+          else
+            members_[filled_[s]++] = t;
+        });
+      if (pass == 1) break;
+      for (std::size_t s = 1; s < first_.size(); ++s) first_[s] += first_[s - 1];
+      members_.resize(first_.back());
+      filled_ = first_;
+    }
+  }
 
-PlanIntegral integrate_tin(const Tin& tin, const std::optional<PlanPolygon>& outline, std::optional<double> floor,
-                           int threads) {
+  /// f(triangle) of those whose box in plan meets `box`, each once, in an order that depends on nothing else.
+  template <class F>
+  void each_over(const Box3& box, F&& f) const {
+    each_slot(box, [&](std::size_t s) {
+      for (std::size_t m = first_[s]; m < first_[s + 1]; ++m) {
+        const Box3 other = box_of(members_[m]);
+        const double x = std::max(box.min[0], other.min[0]), y = std::max(box.min[1], other.min[1]);
+        if (x > std::min(box.max[0], other.max[0]) || y > std::min(box.max[1], other.max[1])) continue;
+        if (slot(y, 1) * side_ + slot(x, 0) == s) f(members_[m]);  // in the first slot that both are in
+      }
+    });
+  }
+
+ private:
+  Box3 box_of(std::uint32_t t) const {
+    Box3 box;
+    for (const Vec3& p : tin_.corners(t)) box.extend(p);
+    return box;
+  }
+  std::size_t slot(double x, int axis) const {
+    const double width = bounds_.max[axis] - bounds_.min[axis];
+    return static_cast<std::size_t>(std::clamp((x - bounds_.min[axis]) / width * side_, 0.0, side_ - 1.0));
+  }
+  template <class F>
+  void each_slot(const Box3& box, F&& f) const {
+    for (std::size_t j = slot(box.min[1], 1); j <= slot(box.max[1], 1); ++j)
+      for (std::size_t i = slot(box.min[0], 0); i <= slot(box.max[0], 0); ++i) f(j * side_ + i);
+  }
+
+  const Tin& tin_;
+  Box3 bounds_;
+  int side_ = 1;
+  std::vector<std::size_t> first_, filled_;
+  std::vector<std::uint32_t> members_;
+};
+
+void add_overlap(const std::array<Vec3, 3>& top, const std::array<Vec3, 3>& base,
+                 const std::optional<PlanPolygon>& outline, PlanIntegral& sum) {
+  Piece piece{{top[0], top[1], top[2]}, 3};
+  for (int e = 0; e < 3; ++e) {
+    const Vec3 &p = base[e], &q = base[(e + 1) % 3];
+    piece = cut(piece, [&](const Vec3& r) { return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]); });
+  }
+  for (int i = 0; i < piece.count; ++i)
+    piece.corner[i][2] -= plane_height(base, piece.corner[i][0], piece.corner[i][1]);
+  piece = cut(piece, [](const Vec3& p) { return p[2]; });
+  if (piece.count < 3) return;
+  const bool crossed = outline && outline_is_near(*outline, bounds_of(piece));
+  if (outline && !crossed && !outline->contains(piece.corner[0][0], piece.corner[0][1])) return;
+  const Moments m = crossed ? moments_inside(piece, *outline, 0) : moments(piece, 0);
+  sum.area += m.area;
+  sum.volume += m.volume;
+  for (const auto& plane : {top, base}) {
+    for (int i = 0; i < piece.count; ++i)
+      piece.corner[i][2] = plane_height(plane, piece.corner[i][0], piece.corner[i][1]);
+    if (crossed)
+      extend_bounds_inside(piece, plane, *outline, sum.bounds);
+    else
+      for (int i = 0; i < piece.count; ++i) sum.bounds.extend(piece.corner[i]);
+  }
+}
+
+/// Sums add(triangle, sum) over the triangles of a TIN, in an order that does not depend on the threads.
+template <class Add>
+PlanIntegral sum_over(const Tin& tin, int threads, Add&& add) {
   const std::size_t blocks = (tin.triangles.size() + kReductionBlock - 1) / kReductionBlock;
   std::vector<PlanIntegral> part(blocks);
   parallel_for(blocks, threads, [&](std::size_t b) {
     const std::size_t end = std::min(tin.triangles.size(), (b + 1) * kReductionBlock);
-    for (std::size_t t = b * kReductionBlock; t < end; ++t) add_triangle(tin.corners(t), outline, floor, part[b]);
+    for (std::size_t t = b * kReductionBlock; t < end; ++t) add(tin.corners(t), part[b]);
   });
   PlanIntegral sum;
   for (const PlanIntegral& p : part) {
@@ -151,6 +234,25 @@ PlanIntegral integrate_tin(const Tin& tin, const std::optional<PlanPolygon>& out
     sum.bounds.extend(p.bounds.max);
   }
   return sum;
+}
+
+}  // namespace
+
+PlanIntegral integrate_tin(const Tin& tin, const std::optional<PlanPolygon>& outline, std::optional<double> floor,
+                           int threads) {
+  return sum_over(tin, threads, [&](const std::array<Vec3, 3>& triangle, PlanIntegral& sum) {
+    add_triangle(triangle, outline, floor, sum);
+  });
+}
+
+PlanIntegral integrate_between(const Tin& top, const Tin& base, const std::optional<PlanPolygon>& outline,
+                               int threads) {
+  const PlanBins bins(base);
+  return sum_over(top, threads, [&](const std::array<Vec3, 3>& triangle, PlanIntegral& sum) {
+    Box3 box;
+    for (const Vec3& p : triangle) box.extend(p);
+    bins.each_over(box, [&](std::uint32_t t) { add_overlap(triangle, base.corners(t), outline, sum); });
+  });
 }
 
 }  // namespace scarp

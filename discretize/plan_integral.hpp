@@ -15,8 +15,8 @@ namespace scarp {
 /// What a TIN holds, over its plan or over the part of it inside an outline.
 struct PlanIntegral {
   double area = 0;    ///< m2, in plan
-  double volume = 0;  ///< m3, between the TIN and the floor
-  Box3 bounds;        ///< of the surface there
+  double volume = 0;  ///< m3, between the TIN and the floor or the other TIN
+  Box3 bounds;        ///< of the surface there, or of both
 };
 
 /// Exact integrals of a TIN over an outline (the whole TIN without one). With a floor, only the part of the surface
@@ -26,5 +26,9 @@ struct PlanIntegral {
 /// the outline's edges (the plane form of Green's theorem), which holds for any simple polygon.
 PlanIntegral integrate_tin(const Tin& tin, const std::optional<PlanPolygon>& outline, std::optional<double> floor,
                            int threads);
+
+/// The same between two TINs: of what lies over the base, under the top and inside the outline. Each pair of triangles
+/// is clipped to what they share in plan and where the top one is above.
+PlanIntegral integrate_between(const Tin& top, const Tin& base, const std::optional<PlanPolygon>& outline, int threads);
 
 }  // namespace scarp

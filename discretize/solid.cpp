@@ -24,7 +24,8 @@ struct Close {
 
   Solid operator()(const ScanVolume& v) const {
     need_dimension(dimension, 3, "scan", body);
-    return close_terrain(v, loaded(input.scans, v.scan, "scan", body), body, input.threads);
+    const PointCloud* base = v.base_scan ? &loaded(input.scans, *v.base_scan, "scan", body) : nullptr;
+    return close_terrain(v, loaded(input.scans, v.scan, "scan", body), base, body, input.threads);
   }
   Solid operator()(const MeshVolume& v) const {
     need_dimension(dimension, 3, "mesh", body);

@@ -30,6 +30,8 @@ TriangleMesh terrain_boundary(const TerrainSolid& solid, const std::string& body
   if (solid.outline)
     throw Error("discretize", "outline of rigid body '" + body + "', a terrain", "given",
                 "none: crop its scan instead");
+  if (solid.close == Closing::surface)
+    throw Error("discretize", "close of rigid body '" + body + "', a terrain", "surface", "plane, depth");
   TriangleMesh mesh;
   const auto count = static_cast<std::uint32_t>(solid.tin.points.size());
   mesh.vertices = solid.tin.points;

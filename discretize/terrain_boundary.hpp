@@ -10,8 +10,8 @@
 namespace scarp {
 
 /// The closed surface of a terrain solid: the TIN, its base and a vertical skirt on its border.
-/// @throws Error ("discretize") naming the body for a solid with an outline, or one whose surface reaches below its
-/// base.
+/// @throws Error ("discretize") naming the body for a solid with an outline or between two surfaces, or one whose
+/// surface reaches below its base.
 TriangleMesh terrain_boundary(const TerrainSolid& solid, const std::string& body);
 
 }  // namespace scarp

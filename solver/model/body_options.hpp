@@ -25,11 +25,11 @@ struct enum_names<Formulation> {
 };
 
 /// How an open terrain surface becomes a solid.
-enum class Closing { plane, depth };
+enum class Closing { plane, depth, surface };
 template <>
 struct enum_names<Closing> {
-  static constexpr std::array<std::pair<std::string_view, Closing>, 2> value{
-      {{"plane", Closing::plane}, {"depth", Closing::depth}}};
+  static constexpr std::array<std::pair<std::string_view, Closing>, 3> value{
+      {{"plane", Closing::plane}, {"depth", Closing::depth}, {"surface", Closing::surface}}};
 };
 
 /// The ground below a scanned surface: TIN on top, a base below, a vertical skirt on the outline.
@@ -39,6 +39,7 @@ struct ScanVolume {
   Closing close = Closing::plane;
   std::optional<double> depth;
   std::optional<double> base_elevation;
+  std::optional<std::string> base_scan;
   std::vector<Vec2> outline;
   double longest_edge = 0;
   Condition base = Condition::fixed;
@@ -47,17 +48,23 @@ struct ScanVolume {
   template <class V>
   void describe(V&& v) {
     v("scan", scan, Spec{.text = "name of the scan whose surface is the top", .required = true});
-    v("close", close, Spec{.text = "base: a horizontal plane, or a fixed depth below the surface"});
+    v("close", close,
+      Spec{.text =
+               "base: a horizontal plane, a fixed depth below the surface, or the surface of another scan, as where "
+               "two surveys or a slip surface bound a released mass"});
     v("depth", depth,
       Spec{.text = "vertical depth of the base below the surface, for close = \"depth\"", .unit = "m", .above = 0});
     v("base_elevation", base_elevation,
       Spec{.text = "elevation of the base, for close = \"plane\"", .unit = "m", .role = Role::elevation});
+    v("base_scan", base_scan,
+      Spec{.text = "name of the scan whose surface is the base, for close = \"surface\"; where it is above the top, or "
+                   "one of them is not, nothing is filled"});
     v("outline", outline,
       Spec{.text = "polygon in plan that bounds the solid; default: the extent of the TIN",
            .unit = "m",
            .role = Role::position});
     v("longest_edge", longest_edge,
-      Spec{.text = "triangles at the border of the TIN with a longer plan edge are left out; 0 keeps all",
+      Spec{.text = "triangles at the border of the top's TIN with a longer plan edge are left out; 0 keeps all",
            .unit = "m",
            .at_least = 0});
     v("base", base, Spec{.text = "what the ground below the base does to the nodes there"});

@@ -82,6 +82,7 @@ struct ScanOptions {
   std::optional<InputFile> file;
   std::optional<SyntheticScan> synthetic;
   HeightUnit height_unit = HeightUnit::metre;
+  Vec3 shift{0, 0, 0};
   std::vector<CleanFilter> clean;
 
   template <class V>
@@ -90,6 +91,9 @@ struct ScanOptions {
     v("file", file, Spec{.text = "LAS, LAZ, COPC, PLY, PCD, XYZ/CSV/TXT, ESRI ASCII grid or GeoTIFF"});
     v("synthetic", synthetic, Spec{.text = "make the scan with the virtual scanner instead of reading a file"});
     v("height_unit", height_unit, Spec{.text = "unit of the file's heights"});
+    v("shift", shift,
+      Spec{.text = "added to the file's coordinates, in their units, as they are read: for a file that counts from a "
+                   "place of its own"});
     v("clean", clean, Spec{.text = "cleaning steps, in this order"});
   }
 };

@@ -226,6 +226,17 @@ where = { box = { min = [8, 8, 8], max = [9, 9, 9] }, place = "reference" }
             for word in words + ["wrong.toml:"]:
                 self.assertIn(word, done.err)
 
+    def test_a_body_between_two_scans_of_which_one_counts_from_elsewhere(self):
+        for name, places, height in (("ground", range(5), 7), ("top", range(-2, 3), 1)):
+            (self.folder / f"{name}.xyz").write_text("".join(f"{x} {y} {height}\n" for x in places for y in places))
+        scans = [f'[[scans]]\nname = "{name}"\nfile = "{name}.xyz"\n' for name in ("ground", "top")]
+        text = BLOCK.replace("[domain]", scans[0] + scans[1] + "shift = [2, 2, 8]\n[domain]", 1).replace(
+            "{ box = { min = [0, 0, 0], max = [2, 2, 1] } }",
+            '{ scan = "top", close = "surface", base_scan = "ground" }')
+        (self.folder / "between.toml").write_text(text)
+        done = self.run_well("check", self.folder / "between.toml")
+        self.assertIn("body block: 2048 particles in 256 cells, 32 m3 of 32 m3", done.out)
+
     def test_check_estimates_and_writes_nothing(self):
         before = sorted(self.folder.iterdir())
         done = self.run_well("check", self.folder / "hill.toml")

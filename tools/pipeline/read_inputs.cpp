@@ -23,6 +23,8 @@ PointCloud raw_scan(const ScanOptions& scan, int threads) {
   if (scan.synthetic) return synthesize(*scan.synthetic, threads).cloud;
   PointCloud cloud = read_cloud(scan.file->path);
   if (cloud.empty()) throw Error("ingest", scan.file->path + " holds no points", "0 points", "at least 1");
+  if (scan.shift != Vec3{0, 0, 0})
+    for (Vec3& position : cloud.positions) position = position + scan.shift;
   require_projected_metres(cloud, scan.file->path);
   return cloud;
 }
@@ -110,7 +112,8 @@ std::vector<std::string> scans_of_bodies(const Scenario& scenario) {
   std::vector<std::string> names;
   for (const BodyOptions& body : scenario.bodies)
     if_is<ScanVolume>(body.volume, [&](const ScanVolume& volume) {
-      if (std::find(names.begin(), names.end(), volume.scan) == names.end()) names.push_back(volume.scan);
+      for (const std::string& name : {volume.scan, volume.base_scan.value_or(volume.scan)})
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     });
   return names;
 }

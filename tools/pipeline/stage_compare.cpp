@@ -193,7 +193,7 @@ ComparisonReport compare_as_clouds(const Project& project, const CompareOptions&
 SurfaceSource surface_of_scan(const Project& project, const std::string& name, const SiteFrame& site) {
   for (const ScanOptions& scan : project.scenario.scans)
     if (scan.name == name && scan.file && scan.clean.empty() && scan.height_unit == HeightUnit::metre &&
-        holds_raster(scan.file->path))
+        scan.shift == Vec3{0, 0, 0} && holds_raster(scan.file->path))
       return local_surface(scan.file->path, site);
   return read_cleaned_scan(project, name, site);
 }

@@ -160,6 +160,8 @@ class Checker {
       fail(steps + "synthetic", path_of(steps) + " has both \"file\" and \"synthetic\"", "one of them");
     if (!scan.file && !scan.synthetic)
       fail(steps, path_of(steps) + " needs a \"file\", or \"synthetic\" to make one", "one of them");
+    if (scan.synthetic && scan.shift != Vec3{0, 0, 0})
+      fail(steps + "shift", path_of(steps + "shift") + " is for a \"file\"", "synthetic.site_offset");
     for (std::size_t c = 0; c < scan.clean.size(); ++c)
       if (const auto* crop = std::get_if<Crop>(&scan.clean[c]))
         check_corners(steps + "clean" + std::to_string(c), crop->min, crop->max, 3);
@@ -269,13 +271,15 @@ class Checker {
 
   void check_scan_volume(const Steps& steps, const ScanVolume& volume) const {
     check_reference(steps + "scan", volume.scan, "scan", scan_names());
-    const bool by_depth = volume.close == Closing::depth;
-    if (by_depth && !volume.depth) fail(steps, path_of(steps) + ": close = \"depth\" needs the key \"depth\"");
-    if (!by_depth && !volume.base_elevation)
-      fail(steps, path_of(steps) + ": close = \"plane\" needs the key \"base_elevation\"");
-    if (by_depth && volume.base_elevation)
-      fail(steps + "base_elevation", path_of(steps + "base_elevation") + " is for close = \"plane\"");
-    if (!by_depth && volume.depth) fail(steps + "depth", path_of(steps + "depth") + " is for close = \"depth\"");
+    for (const auto& [key, close, given] : {std::tuple("depth", Closing::depth, volume.depth.has_value()),
+                                            {"base_elevation", Closing::plane, volume.base_elevation.has_value()},
+                                            {"base_scan", Closing::surface, volume.base_scan.has_value()}}) {
+      const std::string closing = "close = \"" + std::string(name_of(close)) + "\"";
+      if (volume.close == close && !given)
+        fail(steps, path_of(steps) + ": " + closing + " needs the key \"" + key + "\"");
+      if (volume.close != close && given) fail(steps + key, path_of(steps + key) + " is for " + closing);
+    }
+    if (volume.base_scan) check_reference(steps + "base_scan", *volume.base_scan, "scan", scan_names());
     if (!volume.outline.empty()) check_polygon(steps + "outline", volume.outline);
   }
 

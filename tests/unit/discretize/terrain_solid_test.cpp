@@ -80,7 +80,7 @@ TEST(TerrainSolid, ADuneIsRightWithinItsStaircase) {
 // Every sub-cell of the lattice against a search of its triangle.
 TEST(TerrainSolid, PointsAreThoseBelowTheirTriangle) {
   const PointCloud scan = random_scan(300, 8, 10, dune);
-  const TerrainSolid solid = close_terrain(above_plane(4.8), scan, "b", 1);
+  const TerrainSolid solid = close_terrain(above_plane(4.8), scan, nullptr, "b", 1);
   Domain domain{3, 0.5, {0, 0, 0}, {8, 8, 8}, {}};
   BodyOptions options;
   const SubLattice grid = lay_lattice(domain, options, {"b", solid.bounds, solid.volume});
@@ -167,7 +167,7 @@ TEST(TerrainSolid, BoundsAreThoseOfTheCutSurface) {
   scene.scenario.domain.min = Vec3{1, 1, 0};
   scene.scenario.domain.max = Vec3{5.5, 7, 2.5};
   const Model model = scene.build();
-  const TerrainSolid solid = close_terrain(volume, scan, "b", 1);
+  const TerrainSolid solid = close_terrain(volume, scan, nullptr, "b", 1);
   EXPECT_NEAR(solid.bounds.max[2], 1 + 0.53 + 0.7, 1e-12);
   EXPECT_NEAR(solid.bounds.min[0], 1, 1e-12);
   EXPECT_NEAR(solid.bounds.max[0], 5.3, 1e-12);
@@ -184,9 +184,9 @@ TEST(TerrainSolid, LongBorderTrianglesArePeeledFromOutside) {
         if (shift > 0 || std::max(std::abs(i - 5), std::abs(j - 5)) >= 2)
           scan.positions.push_back({shift + i, static_cast<double>(j), 2});
   ScanVolume volume = above_plane(0);
-  EXPECT_DOUBLE_EQ(close_terrain(volume, scan, "b", 1).plan_area, 300);
+  EXPECT_DOUBLE_EQ(close_terrain(volume, scan, nullptr, "b", 1).plan_area, 300);
   volume.longest_edge = 2;
-  EXPECT_DOUBLE_EQ(close_terrain(volume, scan, "b", 1).plan_area, 200);
+  EXPECT_DOUBLE_EQ(close_terrain(volume, scan, nullptr, "b", 1).plan_area, 200);
   volume.longest_edge = 0.5;
   EXPECT_NE(test::refusal(terrain(1, scan, volume)).find("longest_edge"), std::string::npos);
 }
@@ -218,6 +218,87 @@ TEST(TerrainSolid, SteepFacesBelongToTheFreeSurfaceAndTheSkirtDoesNot) {
   }
 }
 
+/// A body between the surfaces of "scan" and "base".
+Scene between(double cell, PointCloud top, PointCloud base) {
+  ScanVolume volume;
+  volume.scan = "scan";
+  volume.close = Closing::surface;
+  volume.base_scan = "base";
+  volume.base = Condition::free;
+  Scene scene = terrain(cell, std::move(top), volume);
+  scene.scans["base"] = std::move(base);
+  return scene;
+}
+
+PointCloud moved(PointCloud cloud, const Vec3& by) {
+  for (Vec3& p : cloud.positions) p = p + by;
+  return cloud;
+}
+
+TEST(TerrainSolid, BetweenTwoSurfacesIsExactToo) {
+  // As above a base at z = 3, but of other triangles that reach farther.
+  const auto plane = [](double x, double y) { return 1 + x / 2 - y / 4; };
+  const PointCloud top = random_scan(500, 8, 7, plane);
+  const PointCloud level = moved(random_scan(300, 12, 12, [](double, double) { return 3.0; }), {-2, -2, 0});
+  const Model model = between(0.5, top, level).build();
+  EXPECT_NEAR(model.volumes[0].input_volume, 64.0 / 6, 1e-12);
+  EXPECT_NEAR(model.volumes[0].plan_area, 16, 1e-12);  // x from 4 + y/2 to 8
+  for (const Vec3& x : model.particles.reference_position) {
+    EXPECT_GE(x[2], 3);
+    EXPECT_LT(x[2], plane(x[0], x[1]));
+  }
+  EXPECT_TRUE(model.bodies[0].held.empty());
+
+  // What both cover: x and y from 3 to 8; the base is tilted, and 1 below in the middle of that.
+  const auto tilted = [&](double x, double y) { return plane(x, y) - 1 + 0.1 * (x - 5.5) - 0.05 * (y - 5.5); };
+  const PointCloud beside =
+      moved(random_scan(400, 8, 13, [&](double x, double y) { return tilted(x + 3, y + 3); }), {3, 3, 0});
+  EXPECT_NEAR(between(0.5, top, beside).build().volumes[0].input_volume, 25, 1e-11);
+
+  // Under an outline: its area times the thickness at its centroid.
+  Scene cut = between(0.5, top, beside);
+  std::get<ScanVolume>(cut.scenario.bodies[0].volume).outline = {{4, 4}, {7, 3.5}, {5, 7}};
+  const VolumeReport report = cut.build().volumes[0];
+  const double area = 0.5 * (3 * 3 + 0.5 * 1), x = 16.0 / 3, y = 14.5 / 3;
+  EXPECT_NEAR(report.plan_area, area, 1e-12);
+  EXPECT_NEAR(report.input_volume, area * (plane(x, y) - tilted(x, y)), 1e-11);
+}
+
+TEST(TerrainSolid, BetweenTwoDunesIsWhatItsColumnsHold) {
+  const PointCloud top = random_scan(3000, 8, 14, dune);
+  const PointCloud base =
+      random_scan(2000, 8, 15, [](double x, double y) { return 4.6 + 0.3 * std::cos(x) + 0.1 * y; });
+  Scene scene = between(0.2, top, base);
+  const Model model = scene.build();
+  EXPECT_LT(std::abs(model.volumes[0].relative_difference()), 2e-3);
+  const Vec3 low = model.domain.min, high = model.domain.max;
+  // The bounds are those of the part that has thickness.
+  const auto& volume = std::get<ScanVolume>(scene.scenario.bodies[0].volume);
+  const TerrainSolid solid = close_terrain(volume, top, &base, "b", 1);
+  EXPECT_GE(solid.bounds.min[2], 4.3);
+  EXPECT_LT(solid.bounds.max[2], 6.9);
+  for (const Vec3& x : model.particles.reference_position)
+    for (int a = 0; a < 3; ++a) {
+      EXPECT_GE(x[a], std::max(low[a], solid.bounds.min[a]) - 0.1);
+      EXPECT_LE(x[a], std::min(high[a], solid.bounds.max[a]) + 0.1);
+    }
+  test::expect_same_bits(model, scene.build(3));
+}
+
+TEST(TerrainSolid, NodesBelowATiltedBaseAreHeld) {
+  const PointCloud top = grid_scan(8, 0, 8, [](double, double) { return 4.0; });
+  const PointCloud base = grid_scan(8, 0, 8, [](double x, double) { return 0.25 * x; });
+  Scene scene = between(1, top, base);
+  std::get<ScanVolume>(scene.scenario.bodies[0].volume).base = Condition::fixed;
+  const Model model = scene.build();
+  ASSERT_EQ(model.bodies[0].held.size(), 1u);
+  for (const auto& node : model.bodies[0].held[0].nodes) {
+    const Lattice& lattice = model.bodies[0].lattice;
+    const double x = lattice.origin[0] + node[0] * lattice.cell, z = lattice.origin[2] + node[2] * lattice.cell;
+    EXPECT_LE(z, 0.25 * x + 1);
+  }
+}
+
 TEST(TerrainSolid, NonsenseIsRefused) {
   const PointCloud flat = grid_scan(4, 0, 8, [](double, double) { return 3.0; });
   const auto refused = [&](ScanVolume volume, const PointCloud& scan) {
@@ -242,6 +323,15 @@ TEST(TerrainSolid, NonsenseIsRefused) {
   ScanVolume unknown = above_plane(0);
   unknown.scan = "after";
   EXPECT_NE(refused(unknown, flat).find("'after'"), std::string::npos);
+  bare.close = Closing::surface;
+  EXPECT_NE(refused(bare, flat).find("needs a base_scan"), std::string::npos);
+  EXPECT_NE(test::refusal(between(1, flat, line)).find("scan 'base' spans no surface"), std::string::npos);
+  EXPECT_NE(test::refusal(between(1, flat, moved(flat, {0, 0, 1}))).find("encloses"), std::string::npos);
+  EXPECT_NE(test::refusal(between(1, flat, nan)).find("point 3 of scan 'base'"), std::string::npos);
+  Scene rigid = between(1, flat, moved(flat, {0, 0, -1}));
+  rigid.scenario.bodies[0].formulation = Formulation::rigid;
+  rigid.scenario.bodies[0].rigid.emplace();
+  EXPECT_NE(test::refusal(rigid).find("close of rigid body 'slide'"), std::string::npos);
 }
 
 /// Rigid ground is the closed surface that the points were cut from.
