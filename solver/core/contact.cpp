@@ -74,9 +74,10 @@ void Contact::locate(ContactBody& body, const std::vector<std::uint32_t>& points
     const std::size_t i = points[k], p = body.begin + i;
     body.y[i] = model_.particles.position[p];
     if (!normals) continue;
-    const double J = determinant(model_.particles.deformation_gradient[p]);
+    // What has been torn apart is no larger for that.
+    const double J = std::min(1.0, determinant(model_.particles.deformation_gradient[p]));
     const double edge = std::pow(J * model_.particles.reference_volume[p], 1.0 / dimension_);
-    body.radius[i] = 0.5 * edge;
+    body.radius[i] = 0.5 * body.fit[i] * edge;
     body.area[i] = dimension_ == 2 ? edge : edge * edge;
   }
 }

@@ -28,6 +28,7 @@ struct ContactBody {
   std::vector<double> modulus;         ///< rho c_p^2 of the point's material, Pa
   std::vector<std::int32_t> material;  ///< index into Model::materials
   std::vector<double> area, radius;    ///< m2 (2D: m), m; no radius on a surface
+  std::vector<double> fit;             ///< of a ball: the radius is this times half the edge of its volume
   std::vector<double> mobility;        ///< see ContactSurface
   std::vector<Vec3> y, n;              ///< place (of live points) and outward normal when last seen; no normal of balls
   std::vector<Vec3> moved;             ///< of y since the update before, of live points
@@ -96,6 +97,13 @@ struct ContactWall {
   std::vector<Vec3> facing;         ///< of the sheet that it touches, in the rigid body's frame; else zero
   std::vector<Vec3> last;           ///< where it was in that frame, m
   std::vector<std::uint64_t> seen;  ///< in which update
+  std::vector<double> clear;        ///< m: as far from the surface, at least, when it was looked for last
+  std::vector<Vec3> clear_at;       ///< where that was, in the rigid body's frame, m
+
+  /// How far point i, at z, is from the surface for certain; 0 where it may be inside.
+  double clear_of(std::uint32_t i, const Vec3& z) const {
+    return clear[i] > 0 ? std::max(0.0, clear[i] - norm(z - clear_at[i])) : 0;
+  }
 };
 
 /// Contact by springs between the surfaces of total-Lagrangian bodies, and between them and the particles of
@@ -161,10 +169,13 @@ class Contact {
   void list_candidates(ContactWall& wall);
   void find_geometry(ContactWall& wall);
   double stiffness_of(const ContactWall& wall, std::uint32_t point) const;
+  bool is_near(ContactWall& wall, std::uint32_t point, const Vec3& z, double distance) const;
   void find_forces(ContactWall& wall);
   bool look(ContactWall& wall, std::uint32_t point, const Vec3& z, Touch& touch) const;
   void press(ContactWall& wall, std::uint32_t point, const Vec3& z, const Touch& touch);
   void leave(ContactWall& wall, std::uint32_t point, double stiffness);
+  void fit_balls();
+  void fit_ball(ContactBody& body, std::uint32_t point, double depth);
   void refuse_overlap() const;
   double reach(const ContactBody& a, const ContactBody& b) const { return 2 * std::max(a.spacing, b.spacing); }
   double farthest_shift(std::vector<Vec3> ContactBody::*anchor) const;

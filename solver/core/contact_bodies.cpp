@@ -8,6 +8,7 @@
 
 #include "solver/core/contact.hpp"
 #include "solver/core/contact_laws.hpp"
+#include "solver/core/contact_touch.hpp"
 #include "solver/core/wave_speeds.hpp"
 #include "solver/model/error.hpp"
 
@@ -46,6 +47,7 @@ Contact::Contact(const Model& model, TotalLagrangian* total, UpdatedLagrangian* 
   add_faces();
   add_walls();
   make_lists();
+  fit_balls();
   find_geometry();
   for (ContactLink& link : links_) find_forces(link, true);
   for (ContactFace& face : faces_) find_forces(face);
@@ -80,6 +82,7 @@ void Contact::add_updated_body(std::int32_t index) {
   body.spacing = mean_spacing(model_, from);
   body.area.assign(count, 0);
   body.radius.assign(count, 0);
+  body.fit.assign(count, 1);
   bodies_.push_back(std::move(body));
   total_index_.push_back(0);
 }
@@ -144,6 +147,35 @@ void Contact::add_faces() {
       face.touching.assign(bodies_[b].size(), 0);
       faces_.push_back(std::move(face));
     }
+}
+
+/// Particles stand on a lattice, whatever is beside them: balls that a surface cuts at the start are as small as it
+/// leaves them, for good, or they would be thrown off it.
+void Contact::fit_balls() {
+  for (const ContactWall& wall : walls_) {
+    ContactBody& body = bodies_[wall.body];
+    if (body.fit.empty()) continue;
+    for (std::uint32_t i : wall.candidates)
+      if (const auto foot = (*rigid_)[wall.rigid].foot(body.y[i], body.radius[i]))
+        fit_ball(body, i, body.radius[i] - foot->distance);
+  }
+  for (const ContactLink& link : links_) {
+    ContactBody& body = bodies_[link.slave];
+    if (body.fit.empty()) continue;
+    for (const ContactLink::Candidate& candidate : link.candidates) {
+      Touch touch;
+      if (!look(link, candidate, touch)) continue;
+      stand_above(link, candidate, touch);
+      fit_ball(body, candidate.point, touch.depth);
+    }
+  }
+}
+
+/// @param depth  at most as deep as its middle: one that is beyond the surface is not shrunk to fit
+void Contact::fit_ball(ContactBody& body, std::uint32_t i, double depth) {
+  if (!(depth > 0 && depth <= body.radius[i])) return;
+  body.fit[i] *= 1 - depth / body.radius[i];
+  body.radius[i] -= depth;
 }
 
 /// Springs as deep as this would throw the bodies apart.

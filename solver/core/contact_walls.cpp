@@ -98,7 +98,8 @@ void Contact::add_wall(std::size_t body, std::size_t rigid, double share) {
   const RigidBody& of = (*rigid_)[rigid];
   wall.friction = friction_of(bodies_[body], of);
   const std::size_t count = bodies_[body].size();
-  for (auto* field : {&wall.stretch, &wall.facing, &wall.last}) field->assign(count, kNone);
+  for (auto* field : {&wall.stretch, &wall.facing, &wall.last, &wall.clear_at}) field->assign(count, kNone);
+  wall.clear.assign(count, 0);
   wall.touching.assign(count, 0);
   wall.seen.assign(count, 0);
   // A rigid body that is met by one that deforms is as stiff as that one; of two rigid ones the softer counts.
@@ -170,10 +171,19 @@ void Contact::list_candidates(ContactWall& wall) {
   wall.candidates.clear();
   for (std::uint32_t i = 0; i < body.size() && apart <= margin_; ++i) {
     if (!within(box, body.y[i], far, dimension_)) continue;
-    if (!wall.touching[i] && !rigid.foot(body.y[i], far)) continue;
+    if (!wall.touching[i] && !is_near(wall, i, rigid.material_point(rigid.now, body.y[i]), far)) continue;
     wall.candidates.push_back(i);
     body.is_active[i] = 1;
   }
+}
+
+/// Whether the surface is within a distance of a point. Looks for it only where what is known leaves that open.
+bool Contact::is_near(ContactWall& wall, std::uint32_t i, const Vec3& z, double distance) const {
+  if (wall.clear_of(i, z) > distance) return false;
+  const auto foot = (*rigid_)[wall.rigid].surface.at(z, distance);
+  wall.clear[i] = foot ? foot->distance : distance;
+  wall.clear_at[i] = z;
+  return foot.has_value();
 }
 
 double Contact::stiffness_of(const ContactWall& wall, std::uint32_t i) const {
@@ -188,7 +198,8 @@ void Contact::find_geometry(ContactWall& wall) {
   for (std::uint32_t i : wall.candidates) {
     body.is_live[i] = 1;
     const double way = 0.25 * body.spacing + 2 * steady_;
-    if (!wall.touching[i] && !rigid.foot(body.y[i], body.radius[i] + way)) continue;
+    if (!wall.touching[i] && !is_near(wall, i, rigid.material_point(rigid.now, body.y[i]), body.radius[i] + way))
+      continue;
     body.stiffness[i] += stiffness_of(wall, i);
     body.pressed = true;
   }
@@ -224,12 +235,19 @@ bool Contact::look(ContactWall& wall, std::uint32_t i, const Vec3& z, Touch& tou
   const RigidBody& rigid = (*rigid_)[wall.rigid];
   const SignedDistance& surface = rigid.surface;
   const double radius = bodies_[wall.body].radius[i];
+  if (wall.clear_of(i, z) > std::max(radius, 0.0)) return false;
   Vec3& facing = wall.facing[i];
   if (facing == kNone && wall.seen[i] + 1 == updates_)
     if (const auto entered = surface.entered(wall.last[i], z)) facing = *entered;
   std::optional<SignedDistance::Foot> foot;
   if (facing != kNone) foot = surface.at_sheet(z, facing);
-  if (!foot) foot = surface.at(z, wall.reach + margin_);
+  if (!foot) {
+    // As deep as bodies may overlap at the start, and farther than it goes in a step.
+    const double far = std::max(radius, 0.0) + 0.5 * bodies_[wall.body].spacing;
+    foot = surface.at(z, far);
+    wall.clear[i] = foot ? foot->distance : far;
+    wall.clear_at[i] = z;
+  }
   if (!foot) return false;
   touch.depth = radius - foot->distance;
   touch.n = rigid.place(rigid.now, rigid.reference_centre + foot->normal) - rigid.now.centre;

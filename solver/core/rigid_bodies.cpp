@@ -173,6 +173,7 @@ void RigidBodies::add(std::int32_t index) {
   rigid.body = index;
   rigid.kind = body.rigid.surface;
   rigid.given_velocity = model_.particles.velocity[body.begin];
+  rigid.moves = body.rigid.motion != RigidMotion::fixed;
   rigid.free = body.rigid.motion == RigidMotion::free;
   rigid.reference_centre = body.rigid.about.value_or(rigid.surface.centre());
   if (rigid.free) {
@@ -204,9 +205,7 @@ RigidState RigidBodies::given_state(const RigidBody& rigid, double time) const {
 }
 
 bool RigidBodies::move() const {
-  return std::any_of(bodies_.begin(), bodies_.end(), [&](const RigidBody& body) {
-    return model_.bodies[body.body].rigid.motion != RigidMotion::fixed;
-  });
+  return std::any_of(bodies_.begin(), bodies_.end(), [](const RigidBody& body) { return body.moves; });
 }
 
 double RigidBodies::time_to_go(double distance) const {

@@ -38,6 +38,7 @@ struct RigidBody {
   SignedDistance surface;          ///< in the reference configuration
   RigidSurface kind;
   Vec3 given_velocity{0, 0, 0};  ///< at factor 1, m/s
+  bool moves = false;            ///< ever
   bool free = false;
   MassProperties inertia;          ///< of a free body
   Vec3 angular_momentum{0, 0, 0};  ///< about its centre, of a free body, kg m2/s

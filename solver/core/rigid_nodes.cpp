@@ -12,19 +12,38 @@ constexpr double kDeepest = 3;
 
 }  // namespace
 
-void RigidNodes::find(RigidBodies& bodies, const std::vector<Vec3>& places, double cell) {
+void RigidNodes::find(RigidBodies& bodies, const std::vector<Vec3>& places, double cell,
+                      const std::vector<std::size_t>& keys) {
   bodies_ = &bodies;
   nodes_.clear();
-  for (std::uint32_t i = 0; i < places.size(); ++i)
-    for (std::uint32_t r = 0; r < bodies.size(); ++r) {
-      const auto foot = bodies[r].foot(places[i], kDeepest * cell);
-      if (!foot || foot->distance > 0.5 * cell) continue;
-      nodes_.push_back({i, r, places[i], foot->normal, false, false, bodies[r].kind, {}, {}, false, false});
-      if (foot->distance >= 0) continue;
-      const Vec3 X = bodies[r].material_point(bodies[r].now, places[i]);
-      const auto beyond = bodies[r].surface.at_sheet(X, -1.0 * foot->face);
-      nodes_.back().thin = beyond && beyond->distance > -cell;
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    for (std::uint32_t r = 0; r < bodies.size(); ++r)
+      if (keys.empty() || bodies[r].moves) find_at(i, r, places[i], cell, nodes_);
+    if (keys.empty()) continue;
+    if (keys[i] >= kept_at_.size()) kept_at_.resize(keys[i] + 1);
+    Kept& kept = kept_at_[keys[i]];
+    if (!kept.known) {
+      kept = {static_cast<std::uint32_t>(kept_.size()), 0, true};
+      for (std::uint32_t r = 0; r < bodies.size(); ++r)
+        if (!bodies[r].moves) find_at(i, r, places[i], cell, kept_);
+      kept.end = static_cast<std::uint32_t>(kept_.size());
     }
+    for (std::uint32_t k = kept.begin; k < kept.end; ++k) {
+      nodes_.push_back(kept_[k]);
+      nodes_.back().node = i;
+    }
+  }
+}
+
+void RigidNodes::find_at(std::uint32_t i, std::uint32_t rigid, const Vec3& x, double cell,
+                         std::vector<Node>& nodes) const {
+  const RigidBody& body = (*bodies_)[rigid];
+  const auto foot = body.foot(x, kDeepest * cell);
+  if (!foot || foot->distance > 0.5 * cell) return;
+  nodes.push_back({i, rigid, x, foot->normal, false, false, body.kind, {}, {}, false, false});
+  if (foot->distance >= 0) return;
+  const auto beyond = body.surface.at_sheet(body.material_point(body.now, x), -1.0 * foot->face);
+  nodes.back().thin = beyond && beyond->distance > -cell;
 }
 
 std::size_t RigidNodes::grip(RigidBodies& bodies, std::size_t rigid, const std::vector<Vec3>& places, double cell) {

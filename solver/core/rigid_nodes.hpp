@@ -31,7 +31,10 @@ class RigidNodes {
   }
 
   /// Of a grid in space, with the bodies as they stand now.
-  void find(RigidBodies& bodies, const std::vector<Vec3>& places, double cell);
+  /// @param keys  which node of the lattice each place is, 0 and up: what bodies that are fixed do to it is found once
+  ///              and kept. Empty: nothing is kept.
+  void find(RigidBodies& bodies, const std::vector<Vec3>& places, double cell,
+            const std::vector<std::size_t>& keys = {});
   /// Of a body's own grid: the nodes that lie in body `rigid` at the start, for good.
   /// @return how many
   std::size_t grip(RigidBodies& bodies, std::size_t rigid, const std::vector<Vec3>& places, double cell);
@@ -61,10 +64,18 @@ class RigidNodes {
     Vec3 before{0, 0, 0}, after{0, 0, 0};  ///< velocity of the body there at both ends of the step, m/s
     bool pressed = false, stuck = false;   ///< in the step
   };
+  /// Entries that are kept for a node of the lattice: a range in kept_.
+  struct Kept {
+    std::uint32_t begin = 0, end = 0;
+    bool known = false;
+  };
   static void rub(Node& node, Vec3& velocity);
+  void find_at(std::uint32_t i, std::uint32_t rigid, const Vec3& x, double cell, std::vector<Node>& nodes) const;
 
   RigidBodies* bodies_ = nullptr;
   std::vector<Node> nodes_;
+  std::vector<Kept> kept_at_;  ///< per node of the lattice
+  std::vector<Node> kept_;     ///< of fixed bodies
 };
 
 }  // namespace scarp

@@ -108,8 +108,12 @@ UpdatedConditions::UpdatedConditions(const Model& model, UpdatedGrid& grid, doub
 
 void UpdatedConditions::follow(UpdatedGrid& grid) {
   const bool others = followed_ != grid.placings;
-  if (rigid_ && others) places_ = places(grid, model_.domain);
-  if (rigid_ && (others || rigid_->move())) conditions_.rigid.find(*rigid_, places_, grid.cell);
+  if (rigid_ && others) {
+    places_ = places(grid, model_.domain);
+    lattice_nodes_.clear();
+    for (const auto& node : grid.nodes) lattice_nodes_.push_back(grid.lattice_node(node));
+  }
+  if (rigid_ && (others || rigid_->move())) conditions_.rigid.find(*rigid_, places_, grid.cell, lattice_nodes_);
   if (!others) return;
   followed_ = grid.placings;
   if (!model_.loads.empty()) {

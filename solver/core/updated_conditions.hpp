@@ -63,8 +63,9 @@ class UpdatedConditions {
   std::map<std::tuple<std::size_t, std::size_t, int>, Vec3> supports_;  ///< by field, node of the lattice and side, N
   std::vector<ParticleForces> loads_;
   RigidBodies* rigid_;
-  std::vector<Vec3> places_;          ///< of the nodes, where there are rigid bodies
-  std::vector<Vec3> particle_force_;  ///< per particle of the model, N; empty where none is loaded
+  std::vector<Vec3> places_;                ///< of the nodes, where there are rigid bodies
+  std::vector<std::size_t> lattice_nodes_;  ///< and which of the lattice they are
+  std::vector<Vec3> particle_force_;        ///< per particle of the model, N; empty where none is loaded
 };
 
 }  // namespace scarp

@@ -382,6 +382,31 @@ std::string refusal(Model model) {
   return "";
 }
 
+/// Particles of a lattice above a surface that lies askew: it cuts the balls of the lowest, which must not throw them.
+TEST(RigidContact, BeginsAtRestWhereALatticeMeetsASlope) {
+  Model model = test::empty_model({0, 0, 0}, {3, 2, 0}, 0.25);
+  const auto height = [](double x) { return 0.5 + 0.3 * x; };
+  test::seed_body(model, "soil", NeoHookean{{1000, 1e6, 0.3}}, 2,
+                  [&](const Vec3& X) { return X[0] > 0.5 && X[0] < 2 && X[1] > height(X[0]) && X[1] < 1.5; });
+  model.bodies[0].formulation = Formulation::updated_lagrangian;
+  seed_rigid_box(model, "ground", {{0, 0, 0}, {3, 0.5, 0}}, moving(RigidMotion::fixed, {false, 0.5}), {0, 0, 0});
+  model.bodies[1].boundary = prism_mesh({{0, 0}, {3, 0}, {3, height(3)}, {0, height(0)}}, 1);
+  model.contact.method = ContactMethod::penalty;
+  test::RecordingSink sink;
+  const RunReport report = run(model, test::solver(0.05, {0, 0, 0}), test::output(1, 1), sink, 1);
+  EXPECT_FALSE(report.failed) << report.failure.what;
+  EXPECT_LT(report.last.kinetic, 1e-20);
+  // And rests on it: with weight, the springs give way by as much as they bear.
+  SolverOptions options = test::solver(0.5, {0, -9.81, 0}, 0.4, ShapeFunction::gimp);
+  options.gravity_ramp = 0.2;
+  const RunReport loaded = run(model, options, test::output(1, 1), sink, 1);
+  EXPECT_FALSE(loaded.failed) << loaded.failure.what;
+  for (std::size_t p = 0; p < model.bodies[0].end; ++p) {
+    const Vec3& x = model.particles.position[p];
+    EXPECT_GT(x[1], height(x[0]) - 0.01);
+  }
+}
+
 TEST(RigidContactChecks, RefuseWhatCannotBe) {
   const auto changed = [](auto&& change) {
     Model model = dropping(2, false, true, {false, 0});

@@ -143,6 +143,34 @@ TEST(RigidNodes, LetNothingThroughAThinPlate) {
   }
 }
 
+/// What fixed bodies do to a node of the lattice is kept, that of moving ones found anew.
+TEST(RigidNodes, AreTheSameWhetherKeptOrFound) {
+  Model model = test::empty_model({0, 0, 0}, {8, 8, 8}, 1);
+  RigidOptions fixed;
+  fixed.motion = RigidMotion::fixed;
+  seed_rigid_box(model, "ground", {{0, 0, 0}, {8, 8, 1.2}}, fixed, {0, 0, 0});
+  seed_rigid_box(model, "piston", {{2, 2, 4}, {6, 6, 6}}, moving(), {0, 0, -1});
+  RigidBodies bodies = bodies_of(model);
+  RigidNodes kept;
+  for (const int first : {0, 3, 0}) {  // others are occupied each time
+    bodies.step(0.1 * first, 0.5);
+    std::vector<Vec3> places;
+    std::vector<std::size_t> keys;
+    for (int i = first; i < 9 * 9 * 9; i += 2) {
+      places.push_back({1.0 * (i % 9), 1.0 * (i / 9 % 9), 1.0 * (i / 81)});
+      keys.push_back(static_cast<std::size_t>(i));
+    }
+    RigidNodes found;
+    kept.find(bodies, places, 1, keys);
+    found.find(bodies, places, 1);
+    std::vector<bool> marked(places.size(), false), expected = marked;
+    kept.mark(marked);
+    found.mark(expected);
+    EXPECT_EQ(marked, expected);
+    EXPECT_GT(std::count(marked.begin(), marked.end(), true), 50);
+  }
+}
+
 Model bar(int dimension, bool by_load, BackEnd) {
   const double deep = dimension == 3 ? 0.5 : 0;
   Model model = test::empty_model({0, 0, 0}, {3, 0.5, deep}, 0.25, {Condition::roller});
