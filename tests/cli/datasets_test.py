@@ -31,6 +31,7 @@ STATISTICS = {
     "last_over_first": lambda value, rows: value[-1] / value[0],
     "last_over_max": lambda value, rows: value[-1] / max(value),
     "last_over_max_strain": lambda value, rows: value[-1] / max(row["strain"] for row in rows),
+    "mean_of_last_fifth": lambda value, rows: sum(value[-len(value) // 5:]) / len(value[-len(value) // 5:]),
     "last_over_potential": lambda value, rows: value[-1] / abs(rows[-1]["potential"]),
 }
 
@@ -48,7 +49,7 @@ def read_table(file):
 
 def number_in(value, path):
     for key in path.split("."):
-        value = value[key]
+        value = value[int(key)] if isinstance(value, list) else value[key]
     return value
 
 
@@ -116,12 +117,49 @@ class Result:
                 most = max(most, int(numpy.sum(frame["VTKHDF/Points"][:][of, 0] > x)))
         return most
 
+    def heights_above(self, body, raster):
+        """Per frame, of a body's points above an ESRI ASCII grid, bilinear; NaN where it has no value."""
+        ground, west, south, cell = read_ascii_grid(DATA / raster)
+        for entry in self.series:
+            with h5py.File(self.folder / entry["name"]) as frame:
+                of = frame["VTKHDF/PointData/body"][:] == body
+                x, y, z = (frame["VTKHDF/Points"][:][of] + frame["origin"][:]).T
+            column, row = (x - west) / cell, (y - south) / cell
+            i = numpy.clip(column.astype(int), 0, ground.shape[1] - 2)
+            j = numpy.clip(row.astype(int), 0, ground.shape[0] - 2)
+            a, b = column - i, row - j
+            yield z - ((1 - a) * (1 - b) * ground[j, i] + a * (1 - b) * ground[j, i + 1]
+                       + (1 - a) * b * ground[j + 1, i] + a * b * ground[j + 1, i + 1])
+
+    def least_above(self, body, raster):
+        return min(float(numpy.nanmin(heights)) for heights in self.heights_above(body, raster))
+
+    def share_below(self, body, raster, depth):
+        """Of a body's points in the last frame."""
+        *_, last = self.heights_above(body, raster)
+        return float(numpy.mean(last < -depth))
+
+    def fall_over_travel(self):
+        """Of the centre of what has moved: height over way in plan."""
+        before, after = (numpy.array(self.summary["run_out"][key]) for key in ("centre_before_m", "centre_after_m"))
+        return float((before[2] - after[2]) / numpy.linalg.norm((after - before)[:2]))
+
     def impulse_over_momentum_lost(self, bodies, axis):
         """Of the contact forces on bodies that do not move, over what those that do have lost."""
         rows = self.history
         impulse = sum((row["time"] - before["time"]) * row[f"contact_force_{axis}_{body}"]
                       for before, row in zip(rows, rows[1:]) for body in bodies)
         return impulse / (rows[0][f"momentum_{axis}"] - rows[-1][f"momentum_{axis}"])
+
+
+def read_ascii_grid(file):
+    """Values from the south up, NaN where there are none; x and y of the first cell's middle; size of a cell."""
+    words = file.read_text().split()
+    head = {key.lower(): float(value) for key, value in zip(words[:12:2], words[1:12:2])}
+    values = numpy.array(words[12:], float).reshape(int(head["nrows"]), int(head["ncols"]))[::-1]
+    values[values == head["nodata_value"]] = numpy.nan
+    half = head["cellsize"] / 2
+    return values, head["xllcorner"] + half, head["yllcorner"] + half, head["cellsize"]
 
 
 def surface_at(points, spacing, x):
@@ -168,6 +206,12 @@ def found_in(check, result, runs):
         return still_at(result.last_points(), result.last_displacements(), result.spacing(), check["still_at"], check["least"])
     if "beyond" in check:
         return result.most_beyond(**check["beyond"])
+    if "least_above" in check:
+        return result.least_above(**check["least_above"])
+    if "below" in check:
+        return result.share_below(**check["below"])
+    if "fall_over_travel" in check:
+        return result.fall_over_travel()
     if "impulse" in check:
         return result.impulse_over_momentum_lost(**check["impulse"])
     if "lowest" in check:
@@ -178,7 +222,7 @@ def found_in(check, result, runs):
     if "front_of" in check:
         return result.front(check["front_of"], check.get("time"))
     rows = result.table(check)
-    return STATISTICS[check["statistic"]]([row[check["column"]] for row in rows], rows)
+    return STATISTICS[check["statistic"]]([row[check["column"]] for row in rows], rows) / check.get("scale", 1)
 
 
 class DataSets(unittest.TestCase):
