@@ -207,6 +207,12 @@ void print(const BenchReport& report) {
     std::printf("%-40s %-10s %7d %9.2f %9.2f %9.1f %6s %7s\n", row.name.c_str(), row.kernels.c_str(), row.threads,
                 row.processor_ns, row.wall_ns, row.ratio, share(row.share_of_peak).c_str(),
                 share(row.share_of_stream).c_str());
+  if (report.contact.empty()) return;
+  std::printf("\n%-47s %-10s %7s %9s %9s %9s\n", "two slabs, a twentieth of their particles touch", "kernels",
+              "threads", "cpu ns", "without", "ratio");
+  for (const ContactCost& cost : report.contact)
+    std::printf("%-47s %-10s %7d %9.2f %9.2f %9.2f\n", cost.name.c_str(), cost.kernels.c_str(), cost.threads,
+                cost.with_ns, cost.without_ns, cost.with_ns / cost.without_ns);
 }
 
 void add_bench(CLI::App& app, BenchArguments& arguments) {

@@ -13,28 +13,13 @@
 #include "solver/core/reference_grid.hpp"
 #include "solver/core/run.hpp"
 #include "tests/bench/textbook.hpp"
-#include "tools/pipeline/stopwatch.hpp"
+#include "tools/pipeline/bench_contact.hpp"
+#include "tools/pipeline/fastest.hpp"
 
 namespace scarp {
 namespace {
 
 constexpr double kFlops = 213;  // of a neo-Hookean point in nodal form: 105 of the cell, 101 of the law, 7 of time
-
-struct Times {
-  double processor = INFINITY, wall = INFINITY;
-};
-
-template <class F>
-Times fastest(int repeats, F&& f) {
-  Times best;
-  for (int i = 0; i < repeats; ++i) {
-    const Stopwatch watch;
-    f();
-    best.processor = std::min(best.processor, watch.processor());
-    best.wall = std::min(best.wall, watch.wall());
-  }
-  return best;
-}
 
 struct Case {
   std::string name;
@@ -245,6 +230,7 @@ BenchReport bench(const BenchOptions& options) {
         if (set == 0 || has_kernel) report.rows.push_back(row_of(c, options, report, set, threads));
       }
   }
+  report.contact = bench_contact(options);
   return report;
 }
 
@@ -268,6 +254,15 @@ std::string bench_json(const BenchReport& report) {
                              {"ratio", row.ratio},
                              {"share_of_multiply_add_peak", if_counted(row.share_of_peak)},
                              {"share_of_stream", if_counted(row.share_of_stream)}});
+  json["contact"] = nlohmann::ordered_json::array();
+  for (const ContactCost& cost : report.contact)
+    json["contact"].push_back({{"case", cost.name},
+                               {"kernels", cost.kernels},
+                               {"threads", cost.threads},
+                               {"particles", cost.particles},
+                               {"processor_ns_per_particle_step", cost.with_ns},
+                               {"without_contact_ns", cost.without_ns},
+                               {"ratio", cost.with_ns / cost.without_ns}});
   return json.dump(2) + "\n";
 }
 

@@ -32,8 +32,18 @@ struct BenchRow {
   double share_of_stream = 0;  ///< of the memory stream, for the bytes that the case must move; 0: not counted
 };
 
+/// What contact adds to a step: minima over the steps, processor ns per particle-step.
+struct ContactCost {
+  std::string name;
+  std::string kernels;
+  int threads = 1;
+  std::int64_t particles = 0;
+  double with_ns = 0, without_ns = 0;
+};
+
 struct BenchReport {
   std::vector<BenchRow> rows;
+  std::vector<ContactCost> contact;
   std::vector<std::pair<std::string, double>> peak_gflops;  ///< per instruction set, one thread
   double stream_gb_per_s = 0;                               ///< read and written in place, one thread
   double textbook_total_ns = 0, textbook_total_2d_ns = 0, textbook_updated_ns = 0;
