@@ -41,6 +41,7 @@ const std::vector<std::pair<std::string, std::set<std::string>>> kOwners{
     {"CGAL/", {"discretize"}},
     {"opencv2/", {"tools/render"}},
     {"hdf5", {"solver/store"}},
+    {"isa-l", {"solver/store"}},
     {"H5", {"solver/store"}},
     {"toml", {"tools/scenario"}},
     {"muParser", {"tools/scenario"}},

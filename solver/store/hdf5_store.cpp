@@ -105,6 +105,8 @@ hid_t memory_type(ElementType type) {
   return H5I_INVALID_HID;
 }
 
+constexpr hsize_t kRowsPerChunk = 16384;
+
 constexpr ElementType kElementTypes[] = {ElementType::float32, ElementType::float64, ElementType::int32,
                                          ElementType::int64,   ElementType::uint8,   ElementType::uint32};
 
@@ -214,11 +216,10 @@ void Hdf5Writer::array(const std::string& path, const ArrayShape& shape, const v
 }
 
 void Hdf5Writer::begin_array(const std::string& path, const ArrayShape& shape) {
-  constexpr hsize_t rows_per_chunk = 16384;
   const Quiet quiet;
   const int rank = shape.components == 1 ? 1 : 2;
   const hsize_t size[2] = {shape.rows, static_cast<hsize_t>(shape.components)};
-  const hsize_t chunk[2] = {std::min<hsize_t>(shape.rows, rows_per_chunk), size[1]};
+  const hsize_t chunk[2] = {std::min<hsize_t>(shape.rows, kRowsPerChunk), size[1]};
   const Id space(H5Screate_simple(rank, size, nullptr), H5Sclose);
   const Id properties = dataset_properties();
   if (shape.rows > 0) {
@@ -231,14 +232,25 @@ void Hdf5Writer::begin_array(const std::string& path, const ArrayShape& shape) {
 
 void Hdf5Writer::rows(const std::string& path, std::size_t first, const ArrayShape& part, const void* values) {
   const Quiet quiet;
-  const int rank = part.components == 1 ? 1 : 2;
-  const hsize_t begin[2] = {first, 0}, size[2] = {part.rows, static_cast<hsize_t>(part.components)};
   const Id dataset(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
   if (dataset < 0) fail(shown_, "cannot find " + path);
-  const Id there(H5Dget_space(dataset), H5Sclose), here(H5Screate_simple(rank, size, nullptr), H5Sclose);
-  H5Sselect_hyperslab(there, H5S_SELECT_SET, begin, nullptr, size, nullptr);
-  if (H5Dwrite(dataset, memory_type(part.type), here, there, H5P_DEFAULT, values) < 0)
-    fail(shown_, "cannot write " + path);
+  const Id there(H5Dget_space(dataset), H5Sclose);
+  hsize_t size[2] = {0, 1};
+  const int rank = H5Sget_simple_extent_dims(there, size, nullptr);
+  const hsize_t end = first + part.rows, rows_of_chunk = std::min<hsize_t>(size[0], kRowsPerChunk);
+  if (rank != (part.components == 1 ? 1 : 2) || size[1] != static_cast<hsize_t>(part.components) || end > size[0] ||
+      first % kRowsPerChunk != 0 || (end % kRowsPerChunk != 0 && end != size[0]))
+    throw Error("store", "rows of " + path, std::to_string(first) + " to " + std::to_string(end),
+                "whole chunks of " + describe_shape({part.type, size[0], part.components}), {shown_.string()});
+  const std::size_t element = H5Tget_size(memory_type(part.type)), row = element * size[1];
+  const auto* const bytes = static_cast<const unsigned char*>(values);
+  for (hsize_t begin = first; begin < end; begin += kRowsPerChunk) {
+    const std::size_t count = std::min<hsize_t>(kRowsPerChunk, end - begin);
+    const auto packed = packer_.pack({bytes + (begin - first) * row, count * row}, element, rows_of_chunk * row);
+    const hsize_t place[2] = {begin, 0};
+    if (!packed || H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, place, packed->size(), packed->data()) < 0)
+      fail(shown_, "cannot write " + path);
+  }
 }
 
 void Hdf5Writer::text(const std::string& path, std::string_view value) {

@@ -63,7 +63,7 @@ TEST(FrameStore, ComesBackFromParts) {
   test::TemporaryFolder folder;
   const Frame frame = test::sample_frame(150000);
   const auto path = folder.path() / "a.hdf";
-  const std::vector<std::size_t> cuts{0, 65536, 131072, 140000, 150000};
+  const std::vector<std::size_t> cuts{0, 65536, 131072, 147456, 150000};
   const auto each_part = [&](const auto& append) {
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) append(part_of(frame, cuts[i], cuts[i + 1]));
   };
@@ -73,7 +73,41 @@ TEST(FrameStore, ComesBackFromParts) {
   ASSERT_EQ(back.fields.size(), frame.fields.size());
   for (std::size_t i = 0; i < frame.fields.size(); ++i) EXPECT_EQ(back.fields[i].values, frame.fields[i].values);
   EXPECT_THROW(write_frame(path, 150001, each_part), Error) << "too few";
+  const auto cut_a_chunk = [&](const auto& append) {
+    append(part_of(frame, 0, 1000));
+    append(part_of(frame, 1000, 150000));
+  };
+  EXPECT_THROW(write_frame(path, 150000, cut_a_chunk), Error) << "parts that are not whole chunks";
   EXPECT_EQ(read_frame(path).positions.size(), 150000u) << "the frame from before stands";
+}
+
+TEST(FrameStore, SameFrameSameBytesWhateverWasWrittenBefore) {
+  test::TemporaryFolder folder;
+  const Frame frame = test::sample_frame(40000);
+  write_frame(folder.path() / "a.hdf", frame);
+  ChunkPacker packer;
+  const auto packed = [&](std::uint8_t from) {
+    std::vector<unsigned char> values(65536);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<unsigned char>(from + i * i % 251);
+    const auto bytes = packer.pack(values, 4, values.size()).value();
+    return std::vector<unsigned char>(bytes.begin(), bytes.end());
+  };
+  const auto first = packed(1);
+  EXPECT_NE(packed(7), first);
+  EXPECT_EQ(packed(1), first);
+  write_frame(folder.path() / "b.hdf", test::sample_frame(100));
+  write_frame(folder.path() / "c.hdf", frame);
+  EXPECT_EQ(bytes_of(folder.path() / "a.hdf"), bytes_of(folder.path() / "c.hdf"));
+}
+
+TEST(FrameStore, WhatCannotBePackedIsStored) {
+  ChunkPacker packer;
+  std::vector<unsigned char> noise(1 << 20);
+  std::uint64_t state = 1;
+  for (unsigned char& byte : noise) byte = static_cast<unsigned char>((state = state * 6364136223846793005u + 1) >> 56);
+  const auto packed = packer.pack(noise, 8, noise.size());
+  ASSERT_TRUE(packed);
+  EXPECT_LT(packed->size(), noise.size() + noise.size() / 64);
 }
 
 TEST(FrameStore, ADiskThatRefusesLeavesTheOldFrameAndNothingElse) {
