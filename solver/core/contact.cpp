@@ -149,10 +149,14 @@ Vec3 Contact::motion(const ContactBody& body, std::uint32_t i) const {
 }
 
 /// The tangential spring after the surfaces have slid over each other by `slid`: what it pulls back with.
-/// @param most  its longest stretch by Coulomb's law, m
-Vec3 Contact::rub(Vec3& stretch, bool touched, const Vec3& slid, const Vec3& n, double stiffness, double most) {
+/// What has come to touch in this step counts from where it did: of a way straight through the surface the part below.
+/// @param friction  Coulomb's, which with the depth, m, limits the stretch
+Vec3 Contact::rub(Vec3& stretch, bool touched, const Vec3& slid, const Vec3& n, double stiffness, double friction,
+                  double depth) {
   const auto tangential = [&](const Vec3& a) { return a - dot(a, n) * n; };
-  const Vec3 before = tangential(stretch), trial = touched ? before + tangential(slid) : Vec3{0, 0, 0};
+  const double sunk = -dot(slid, n), share = touched ? 1 : sunk > 0 ? std::min(1.0, depth / sunk) : 0;
+  const double most = friction * depth;
+  const Vec3 before = tangential(stretch), trial = before + share * tangential(slid);
   const double length = norm(trial);
   stretch = length > most ? (most / length) * trial : trial;
   // Work on the spring less what it stores.

@@ -195,7 +195,8 @@ class Contact {
   void make_live(ContactLink& link, ContactLink::Candidate& candidate, const Touch& touch);
   void find_forces(ContactLink& link, bool slides_known);
   void find_forces(ContactFace& face);
-  Vec3 rub(Vec3& stretch, bool touched, const Vec3& slid, const Vec3& n, double stiffness, double most);
+  Vec3 rub(Vec3& stretch, bool touched, const Vec3& slid, const Vec3& n, double stiffness, double friction,
+           double depth);
   double friction_of(const ContactLink& link, std::uint32_t point, std::uint32_t master) const;
 
   const Model& model_;

@@ -54,7 +54,7 @@ void Contact::find_forces(ContactFace& face) {
     stored_ += 0.5 * stiffness * depth * depth;
     Vec3 force = stiffness * depth * n;
     if (face.friction > 0)
-      force = force - rub(face.stretch[i], face.touching[i], body.moved[i], n, stiffness, face.friction * depth);
+      force = force - rub(face.stretch[i], face.touching[i], body.moved[i], n, stiffness, face.friction, depth);
     face.touching[i] = 1;
     body.force[i] = body.force[i] + force;
     net_[body.body] = net_[body.body] + force;

@@ -117,7 +117,7 @@ void Contact::find_forces(ContactLink& link, bool slides_known) {
     Vec3 force = stiffness * depth * candidate.n;
     if (candidate.friction > 0)
       force = force -
-              rub(link.stretch[i], link.touching[i], link.slid[i], candidate.n, stiffness, candidate.friction * depth);
+              rub(link.stretch[i], link.touching[i], link.slid[i], candidate.n, stiffness, candidate.friction, depth);
     link.touching[i] = 1;
     a.force[i] = a.force[i] + force;
     for (std::uint32_t k = candidate.begin; k < candidate.end; ++k)

@@ -274,7 +274,7 @@ void Contact::press(ContactWall& wall, std::uint32_t i, const Vec3& z, const Tou
   stored_ += 0.5 * touch.stiffness * touch.depth * touch.depth;
   Vec3 force = touch.stiffness * touch.depth * touch.n;
   const double mu = wall.friction[a.material[i]];
-  if (mu > 0) force = force - rub(wall.stretch[i], wall.touching[i], slid, touch.n, touch.stiffness, mu * touch.depth);
+  if (mu > 0) force = force - rub(wall.stretch[i], wall.touching[i], slid, touch.n, touch.stiffness, mu, touch.depth);
   wall.touching[i] = 1;
   a.force[i] = a.force[i] + force;
   if (rigid_a) rigid_a->push(meet, force);

@@ -6,10 +6,7 @@
 
 #include <numbers>
 
-#include "solver/core/run.hpp"
-#include "tests/support/lattice_seed.hpp"
-#include "tests/support/recording_sink.hpp"
-#include "tests/support/run_options.hpp"
+#include "tests/support/incline.hpp"
 #include "tests/support/two_disks.hpp"
 #include "tests/support/validation_table.hpp"
 
@@ -17,9 +14,13 @@ namespace scarp {
 namespace {
 
 using std::numbers::pi;
+using test::Incline;
+using test::kRamp;
 using test::output;
 using test::Rebound;
 using test::RecordingSink;
+using test::Slide;
+using test::slide;
 using test::solver;
 using test::validate_near;
 using test::validate_within;
@@ -65,50 +66,21 @@ TEST(ContactDisks, HoldWithHalfAndTwiceTheStep) {
   }
 }
 
-/// Weight comes over this time, s, so that nothing bounces: an impulse of half as much.
-constexpr double kRamp = 0.2;
-
-/// A block on a slab that is held, both total-Lagrangian, at `degrees`.
-struct Slide {
-  double speed = 0;    ///< / that without friction
-  double balance = 0;  ///< error of the energy / largest
-};
-Slide slide(double degrees, double mu) {
-  const double g = 9.81, angle = degrees * pi / 180, end = 0.5;
-  Model model = test::empty_model({0, 0, 0}, {4, 1.25, 0}, 0.125, {Condition::free, Condition::free, Condition::fixed});
-  test::seed_body(model, "slab", NeoHookean{{1000, 1e6, 0.3}}, 2, [](const Vec3& X) { return X[1] < 0.375; });
-  test::seed_body(model, "block", NeoHookean{{1000, 1e6, 0.3}}, 2,
-                  [](const Vec3& X) { return X[0] > 0.5 && X[0] < 1.5 && X[1] > 0.375 && X[1] < 0.875; });
-  model.contact.method = ContactMethod::penalty;
-  model.contact.friction = mu;
-  SolverOptions options = solver(end, {g * std::sin(angle), -g * std::cos(angle), 0});
-  options.gravity_ramp = kRamp;
-  RecordingSink sink;
-  const RunReport report = run(model, options, output(end, end / 50), sink, 1);
-  EXPECT_FALSE(report.failed) << report.failure.what;
-  double momentum = 0;
-  for (std::size_t p = model.bodies[1].begin; p < model.bodies[1].end; ++p)
-    momentum += model.particles.mass[p] * model.particles.velocity[p][0];
-  return {momentum / 500 / (g * std::sin(angle) * (end - kRamp / 2)),
-          report.largest_energy_error / report.largest_energy};
-}
-
 TEST(ContactIncline, SlidesAndSticksAfterCoulomb) {
-  for (const auto& [degrees, mu] : {std::pair{5., 0.}, {30., 0.}, {30., 0.3}, {45., 0.3}, {45., 0.6}, {15., 0.1}}) {
-    const Slide s = slide(degrees, mu);
-    const std::string name = "TL block on TL incline, " + std::to_string(degrees).substr(0, degrees < 10 ? 1 : 2) +
-                             " degrees, mu = " + std::to_string(mu).substr(0, 3) + ": ";
-    validate_near(name + "speed / that without friction", 1 - mu / std::tan(degrees * pi / 180), s.speed, 0.015,
-                  "Coulomb");
+  const auto on = [](double degrees, double mu, double height) {
+    return Incline{.degrees = degrees, .mu = mu, .height = height};
+  };
+  for (const Incline& incline : {on(5, 0, 0.5), on(30, 0, 0.5), on(30, 0.3, 0.5), on(45, 0.3, 0.5), on(45, 0.6, 0.5),
+                                 on(15, 0.1, 0.5), on(45, 0.6, 0.25), on(45, 0.8, 0.25)}) {
+    const Slide s = slide(incline);
+    const std::string name = "TL block on TL incline, " + incline.numbers() + ": ";
+    validate_near(name + "speed / that without friction", incline.exact(), s.speed, 0.015, "Coulomb");
     validate_near(name + "error of the energy / largest", 0, s.balance, 0.02, "all that is lost is counted");
   }
-  for (const auto& [degrees, mu] : {std::pair{30., 0.7}, {5., 0.2}, {40., 1.}}) {
-    const Slide s = slide(degrees, mu);
-    const std::string name = "TL block on TL incline, " + std::to_string(degrees).substr(0, degrees < 10 ? 1 : 2) +
-                             " degrees, mu = " + std::to_string(mu).substr(0, 3) + ": ";
-    validate_near(name + "creep / free slide", 0, s.speed, 0.01,
-                  "sticks; what is left is the swing of block and springs");
-  }
+  for (const Incline& incline : {on(30, 0.7, 0.5), on(5, 0.2, 0.5), on(40, 1, 0.5), on(5, 1, 0.25), on(30, 1, 0.25),
+                                 on(40, 1, 0.25), on(45, 1.2, 0.25)})
+    validate_near("TL block on TL incline, " + incline.numbers() + ": creep / free slide", 0, slide(incline).speed,
+                  0.01, "sticks; what is left is the swing of block and springs");
 }
 
 /// A stiff disk on an inclined slab. Rolls where tan < 3 mu, else slides.

@@ -12,10 +12,10 @@
 namespace scarp {
 namespace {
 
-constexpr int kThickness = 10;      // cells of a slab
-constexpr double kSpeed = 1;        // m/s, of each towards the other: waves run at 119 m/s
-constexpr double kFriction = 0.3;   // Coulomb
-constexpr double kSlide = 0.5;      // m/s, of each along the face, so that friction acts
+constexpr int kThickness = 10;     // cells of a slab
+constexpr double kSpeed = 1;       // m/s, of each towards the other: waves run at 119 m/s
+constexpr double kFriction = 0.3;  // Coulomb
+constexpr double kSlide = 0.5;     // m/s, of each along the face, so that friction acts
 
 struct ContactCase {
   std::string name;
@@ -60,8 +60,8 @@ void add_slab(Model& model, Formulation formulation, const char* name, int width
 }
 
 Model slabs(const ContactCase& c, std::int64_t particles) {
-  const int width = std::max(
-      4, static_cast<int>(std::lround(std::sqrt(static_cast<double>(particles) / (2 * 8 * kThickness)))));
+  const int width =
+      std::max(4, static_cast<int>(std::lround(std::sqrt(static_cast<double>(particles) / (2 * 8 * kThickness)))));
   Model model;
   const double end = width + 4;
   model.domain = {3, 1, {0, 0, 0}, {end, end, 2 * kThickness + 4.0}, {}};
