@@ -26,6 +26,8 @@ struct Lanes {
   Lanes(const Lanes&) = delete;
 
   SCARP_INLINE bool full() const { return count == kLanes; }
+  /// Of particles that stand in rising order.
+  SCARP_INLINE bool side_by_side() const { return full() && particle[kLanes - 1] - particle[0] == kLanes - 1; }
   SCARP_INLINE Mask valid() const {
 #if SCARP_LANES == 8
     return Mask{0, 1, 2, 3, 4, 5, 6, 7} < static_cast<long long>(count);

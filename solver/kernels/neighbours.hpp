@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The scarp developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lanes that are particles side by side in memory: their fields into packs and back by whole loads and stores.
+// Lanes that are particles side by side in memory, as those of a cell are until they mix: their fields into packs and
+// back by whole loads and stores; and those of other lanes.
 #pragma once
 
 #include "solver/kernels/lanes.hpp"
@@ -75,11 +76,7 @@ SCARP_INLINE void load_rows(const double* first, Pack (&rows)[kLanes]) {
 /// Components [0, N) of a field of `stride` doubles per particle.
 template <int N, int stride>
 SCARP_INLINE void load_neighbours(const double* base, const Lanes& lanes, Pack* out) {
-  if (!lanes.full()) {
-#pragma GCC unroll 9
-    for (int i = 0; i < N; ++i) out[i] = gather_lanes(base + i, stride, lanes);
-    return;
-  }
+  if (!lanes.side_by_side()) return load_field<N>(base, stride, lanes, out);
   const double* const first = base + static_cast<std::size_t>(lanes.particle[0]) * stride;
   if constexpr (stride == 1) {
     out[0] = load(first);
@@ -117,11 +114,7 @@ SCARP_INLINE Pack load_neighbours(const double* base, const Lanes& lanes) {
 
 template <int N, int stride>
 SCARP_INLINE void store_neighbours(double* base, const Lanes& lanes, const Pack* a) {
-  if (!lanes.full() || (N != stride && N % kLanes != 0)) {
-#pragma GCC unroll 9
-    for (int i = 0; i < N; ++i) scatter_lanes(base + i, stride, lanes, a[i]);
-    return;
-  }
+  if (!lanes.side_by_side() || (N != stride && N % kLanes != 0)) return store_field<N>(base, stride, lanes, a);
   double* const first = base + static_cast<std::size_t>(lanes.particle[0]) * stride;
   if constexpr (stride == 1) {
     store(first, a[0]);
@@ -152,6 +145,18 @@ SCARP_INLINE void store_neighbours(double* base, const Lanes& lanes, const Pack*
 #pragma GCC unroll 9
     for (int i = blocks * kLanes; i < N; ++i) scatter_lanes(base + i, stride, lanes, a[i]);
   }
+}
+
+SCARP_INLINE void store_neighbours(double* base, const Lanes& lanes, Pack a) {
+  store_neighbours<1, 1>(base, lanes, &a);
+}
+
+/// Asks for the lines of a field of some particles that stand side by side, from `first` on.
+template <int stride>
+SCARP_INLINE void ask_for_field(const double* base, std::size_t first) {
+  const double* const at = base + first * stride;
+#pragma GCC unroll 9
+  for (int line = 0; line < (stride * kLanes + 7) / 8; ++line) __builtin_prefetch(at + 8 * line, 0, 3);
 }
 
 }  // namespace

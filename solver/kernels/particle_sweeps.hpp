@@ -4,7 +4,7 @@
 // The sweeps over the particles of updated-Lagrangian bodies, see particles.hpp.
 #pragma once
 
-#include "solver/kernels/lanes.hpp"
+#include "solver/kernels/neighbours.hpp"
 #include "solver/kernels/packed_laws.hpp"
 #include "solver/kernels/placing.hpp"
 
@@ -26,6 +26,10 @@ template <int D, Shape S>
 constexpr int kTileEdge = scarp::kernels::block_edge(D) + kWidth<S> - 1;
 template <int D>
 constexpr int kSymmetric = Symmetric<D>::n;
+
+/// Whether particles give to nodes by lanes that are nodes.
+template <int D, Shape S>
+constexpr bool kByCorners = D == 3 && S == Shape::linear&& kLanes <= 8;
 
 /// phi and its slope per cell along one axis, at xi of cell `cell` of `cells`.
 template <Shape S>
@@ -66,8 +70,8 @@ struct Weights {
 
   SCARP_INLINE Weights(const ParticleSweep& sweep, const CellRange& range, std::uint32_t c, const Lanes& lanes) {
     Pack xi[D], half = Pack{};
-    load_field<D>(sweep.xi, 3, lanes, xi);
-    if constexpr (S == Shape::gimp) half = gather_lanes(sweep.half_edge, 1, lanes);
+    load_neighbours<D, 3>(sweep.xi, lanes, xi);
+    if constexpr (S == Shape::gimp) half = load_neighbours(sweep.half_edge, lanes);
 #pragma GCC unroll 3
     for (int a = 0; a < D; ++a) {
       weigh<S>(xi[a], range.cells[c][a], sweep.cell_count[a], half, N[a], dN[a]);
@@ -89,32 +93,160 @@ struct Weights {
   SCARP_INLINE Pack across(int j, int k) const { return D == 2 ? N[1][j] : N[1][j] * N[D - 1][k]; }
 };
 
-/// f(lanes) for the packs of a cell.
-template <class F>
-SCARP_INLINE void each_pack(const CellRange& range, std::uint32_t c, F&& f) {
-  for (std::uint32_t m = range.cell_begin[c], end = range.cell_begin[c + 1]; m < end; m += kLanes)
+/// The particle that comes this many after the m-th member: what a sweep asks memory for. The rows of a block are short
+/// runs of particles, too short for the processor to foresee.
+SCARP_INLINE std::size_t particle_ahead(const CellRange& range, std::uint32_t m) {
+  constexpr std::uint32_t ahead = 32;
+  const std::uint32_t last = range.cell_begin[range.end] - 1;
+  return range.members[m + ahead < last ? m + ahead : last];
+}
+
+/// f(lanes) for the packs of a cell; ask(p) for what f will need of the particles from p on some packs later.
+template <class Ask, class F>
+SCARP_INLINE void each_pack(const CellRange& range, std::uint32_t c, Ask&& ask, F&& f) {
+  for (std::uint32_t m = range.cell_begin[c], end = range.cell_begin[c + 1]; m < end; m += kLanes) {
+    ask(particle_ahead(range, m));
     f(Lanes(range.members + m, static_cast<int>(end - m)));
+  }
+}
+
+SCARP_INLINE void ask_for_mapped(const ParticleSweep& sweep, std::size_t p) {
+  ask_for_field<3>(sweep.xi, p);
+  ask_for_field<3>(sweep.particles.velocity, p);
+  ask_for_field<6>(sweep.particles.stress, p);
+  ask_for_field<1>(sweep.particles.mass, p);
+  ask_for_field<1>(sweep.volume, p);
+}
+SCARP_INLINE void ask_for_advanced(const ParticleSweep& sweep, std::size_t p) {
+  ask_for_field<3>(sweep.xi, p);
+  ask_for_field<3>(sweep.particles.velocity, p);
+  ask_for_field<3>(sweep.particles.position, p);
+  ask_for_field<1>(sweep.particles.mass, p);
+}
+template <bool history>
+SCARP_INLINE void ask_for_deformed(const ParticleSweep& sweep, std::size_t p) {
+  ask_for_field<3>(sweep.xi, p);
+  ask_for_field<9>(sweep.particles.deformation_gradient, p);
+  ask_for_field<6>(sweep.particles.stress, p);
+  ask_for_field<1>(sweep.particles.reference_volume, p);
+  ask_for_field<1>(sweep.volume, p);
+  if constexpr (history) {
+    ask_for_field<6>(sweep.particles.elastic_left_cauchy_green, p);
+    ask_for_field<1>(sweep.particles.plastic_strain, p);
+    ask_for_field<1>(sweep.particles.plastic_work, p);
+  }
 }
 
 /// V sigma of the lanes, and nothing of those that do not count.
 template <int D>
 SCARP_INLINE void load_stress(const ParticleSweep& sweep, const Lanes& lanes, Pack (&s)[kSymmetric<D>]) {
-  load_field<kSymmetric<D>>(sweep.particles.stress, 6, lanes, s);
-  const Pack V = choose(lanes.valid(), gather_lanes(sweep.volume, 1, lanes), Pack{});
+  load_neighbours<kSymmetric<D>, 6>(sweep.particles.stress, lanes, s);
+  const Pack V = choose(lanes.valid(), load_neighbours(sweep.volume, lanes), Pack{});
 #pragma GCC unroll 6
   for (int i = 0; i < kSymmetric<D>; ++i) s[i] *= V;
+}
+
+/// What a cell's particles give to its eight corners, by lanes that are corners: nothing is summed over lanes,
+/// particles may be any number, and their fields are broadcast from where they stand. Linear functions in space.
+struct Corners {
+  static constexpr int packs = 8 / kLanes;
+
+  /// phi of corner k is a product of three factors, start + turn xi of the bit of the axis in k.
+  alignas(64) static constexpr double start[3][8] = {
+      {1, 0, 1, 0, 1, 0, 1, 0}, {1, 1, 0, 0, 1, 1, 0, 0}, {1, 1, 1, 1, 0, 0, 0, 0}};
+  alignas(64) static constexpr double turn[3][8] = {
+      {-1, 1, -1, 1, -1, 1, -1, 1}, {-1, -1, 1, 1, -1, -1, 1, 1}, {-1, -1, -1, -1, 1, 1, 1, 1}};
+
+  static SCARP_INLINE Pack factor(const double* xi, int axis, int pack) {
+    return load(start[axis] + pack * kLanes) + load(turn[axis] + pack * kLanes) * xi[axis];
+  }
+
+  /// Adds `count` sums per corner, the others of a tile's `stride` numbers are zero, to the corners' places in a tile.
+  template <int count, int stride>
+  static SCARP_INLINE void give(double* window, const Pack (&sums)[count][packs]) {
+    constexpr int edge = kTileEdge<3, Shape::linear>;
+#pragma GCC unroll 4
+    for (int pack = 0; pack < packs; ++pack)
+#pragma GCC unroll 4
+      for (int first = 0; first < stride; first += kLanes) {
+        Pack rows[kLanes];
+#pragma GCC unroll 8
+        for (int l = 0; l < kLanes; ++l) rows[l] = first + l < count ? sums[first + l][pack] : Pack{};
+        transpose(rows);
+#pragma GCC unroll 8
+        for (int l = 0; l < kLanes; ++l) {
+          const int k = pack * kLanes + l;
+          double* const at = window + (((k >> 2) * edge + (k >> 1 & 1)) * edge + (k & 1)) * stride + first;
+          if constexpr (stride >= kLanes) {
+            add(at, rows[l]);
+          } else if (l % 2 == 0) {  // of half a pack: with its neighbour along x, which stands beside it
+#if SCARP_LANES == 8
+            add(at, __builtin_shuffle(rows[l], rows[l + 1], Mask{0, 1, 2, 3, 8, 9, 10, 11}));
+#endif
+          }
+        }
+      }
+  }
+};
+
+SCARP_INLINE void map_to_corners(const ParticleSweep& sweep, const CellRange& range, std::uint32_t c) {
+  constexpr int packs = Corners::packs;
+  Pack sums[7][packs] = {};  // mass, momentum, force
+  for (std::uint32_t m = range.cell_begin[c], end = range.cell_begin[c + 1]; m < end; ++m) {
+    const std::size_t p = range.members[m];
+    if ((m - range.cell_begin[c]) % kLanes == 0) ask_for_mapped(sweep, particle_ahead(range, m));
+    const double *xi = sweep.xi + 3 * p, *v = sweep.particles.velocity + 3 * p, *s = sweep.particles.stress + 6 * p;
+    const double mass = sweep.particles.mass[p], per_V = -sweep.volume[p] * sweep.per_cell;
+#pragma GCC unroll 4
+    for (int b = 0; b < packs; ++b) {
+      const Pack x = Corners::factor(xi, 0, b), y = Corners::factor(xi, 1, b), z = Corners::factor(xi, 2, b);
+      const Pack yz = y * z, m_phi = mass * (x * yz), Vx = per_V * x;
+      const Pack gx = load(Corners::turn[0] + b * kLanes) * (per_V * yz);
+      const Pack gy = load(Corners::turn[1] + b * kLanes) * (Vx * z);
+      const Pack gz = load(Corners::turn[2] + b * kLanes) * (Vx * y);
+      sums[0][b] += m_phi;
+#pragma GCC unroll 3
+      for (int a = 0; a < 3; ++a) sums[1 + a][b] += v[a] * m_phi;
+      sums[4][b] += s[0] * gx + s[3] * gy + s[5] * gz;
+      sums[5][b] += s[3] * gx + s[1] * gy + s[4] * gz;
+      sums[6][b] += s[5] * gx + s[4] * gy + s[2] * gz;
+    }
+  }
+  Corners::give<7, 8>(range.tile + static_cast<std::size_t>(range.first_in_tile[c]) * 8, sums);
+}
+
+SCARP_INLINE void momenta_to_corners(const ParticleSweep& sweep, const CellRange& range, std::uint32_t c) {
+  constexpr int packs = Corners::packs;
+  Pack sums[3][packs] = {};
+  for (std::uint32_t m = range.cell_begin[c], end = range.cell_begin[c + 1]; m < end; ++m) {
+    const std::size_t p = range.members[m];
+    const double *xi = sweep.xi + 3 * p, *v = sweep.particles.velocity + 3 * p;
+    const double mass = sweep.particles.mass[p];
+#pragma GCC unroll 4
+    for (int b = 0; b < packs; ++b) {
+      const Pack m_phi = (mass * Corners::factor(xi, 0, b)) * (Corners::factor(xi, 1, b) * Corners::factor(xi, 2, b));
+#pragma GCC unroll 3
+      for (int a = 0; a < 3; ++a) sums[a][b] += v[a] * m_phi;
+    }
+  }
+  Corners::give<3, 4>(range.tile + static_cast<std::size_t>(range.first_in_tile[c]) * 4, sums);
 }
 
 template <int D, Shape S>
 void map_particles(const ParticleSweep& sweep, const CellRange& range) {
   for (std::uint32_t c = range.begin; c < range.end; ++c) {
+    if constexpr (kByCorners<D, S>) {
+      map_to_corners(sweep, range, c);
+      continue;
+    }
     double* const window = range.tile + static_cast<std::size_t>(range.first_in_tile[c]) * 8;
     each_pack(
-        range, c, [&](const Lanes& lanes) __attribute__((always_inline)) {
+        range, c, [&](std::size_t p) __attribute__((always_inline)) { ask_for_mapped(sweep, p); },
+        [&](const Lanes& lanes) __attribute__((always_inline)) {
           const Weights<D, S> weights(sweep, range, c, lanes);
-          const Pack mass = choose(lanes.valid(), gather_lanes(sweep.particles.mass, 1, lanes), Pack{});
+          const Pack mass = choose(lanes.valid(), load_neighbours(sweep.particles.mass, lanes), Pack{});
           Pack v[D], s[kSymmetric<D>];
-          load_field<D>(sweep.particles.velocity, 3, lanes, v);
+          load_neighbours<D, 3>(sweep.particles.velocity, lanes, v);
           load_stress<D>(sweep, lanes, s);
           // Rows of V sigma: column a of row i is s[at[i][a]].
           constexpr int at[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
@@ -174,7 +306,8 @@ double advance_particles(const ParticleSweep& sweep, const CellRange& range) {
     double* const window = range.tile + static_cast<std::size_t>(range.first_in_tile[c]) * 4;
     const std::uint32_t* const nodes = range.tile_nodes + range.first_in_tile[c];
     each_pack(
-        range, c, [&](const Lanes& lanes) __attribute__((always_inline)) {
+        range, c, [&](std::size_t p) __attribute__((always_inline)) { ask_for_advanced(sweep, p); },
+        [&](const Lanes& lanes) __attribute__((always_inline)) {
           const Weights<D, S> weights(sweep, range, c, lanes);
           Pack held[D] = {}, carried[D] = {};
           Weights<D, S>::each_row([&](int j, int k, int row) __attribute__((always_inline)) {
@@ -192,8 +325,8 @@ double advance_particles(const ParticleSweep& sweep, const CellRange& range) {
             }
           });
           Pack v[D], x[D], speed{};
-          load_field<D>(sweep.particles.velocity, 3, lanes, v);
-          load_field<D>(sweep.particles.position, 3, lanes, x);
+          load_neighbours<D, 3>(sweep.particles.velocity, lanes, v);
+          load_neighbours<D, 3>(sweep.particles.position, lanes, x);
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a) {
             v[a] = sweep.kept * v[a] - sweep.less * held[a] + carried[a];
@@ -201,9 +334,10 @@ double advance_particles(const ParticleSweep& sweep, const CellRange& range) {
             speed += v[a] * v[a];
           }
           fastest = larger(fastest, speed);
-          store_field<D>(sweep.particles.velocity, 3, lanes, v);
-          store_field<D>(sweep.particles.position, 3, lanes, x);
-          const Pack mass = choose(lanes.valid(), gather_lanes(sweep.particles.mass, 1, lanes), Pack{});
+          store_neighbours<D, 3>(sweep.particles.velocity, lanes, v);
+          store_neighbours<D, 3>(sweep.particles.position, lanes, x);
+          if constexpr (kByCorners<D, S>) return;
+          const Pack mass = choose(lanes.valid(), load_neighbours(sweep.particles.mass, lanes), Pack{});
 #pragma GCC unroll 3
           for (int a = 0; a < D; ++a) v[a] *= mass;
           Weights<D, S>::each_row([&](int j, int k, int row) __attribute__((always_inline)) {
@@ -217,6 +351,7 @@ double advance_particles(const ParticleSweep& sweep, const CellRange& range) {
                                      Pack{}, v);
           });
         });
+    if constexpr (kByCorners<D, S>) momenta_to_corners(sweep, range, c);
   }
   return largest(fastest);
 }
@@ -255,7 +390,7 @@ SCARP_INLINE Pack advance_gradient(const ParticleSweep& sweep, const Lanes& lane
   double* const base = sweep.particles.deformation_gradient;
   Pack old[9];
   if constexpr (D == 3)
-    load_field<9>(base, 9, lanes, old);
+    load_neighbours<9, 9>(base, lanes, old);
   else
     for_entries<2>([&](int i) { old[i] = gather_lanes(base + i, 9, lanes); });
 #pragma GCC unroll 3
@@ -268,7 +403,7 @@ SCARP_INLINE Pack advance_gradient(const ParticleSweep& sweep, const Lanes& lane
       d.F[3 * i + j] = sum;
     }
   if constexpr (D == 3)
-    store_field<9>(base, 9, lanes, d.F);
+    store_neighbours<9, 9>(base, lanes, d.F);
   else
     for_entries<2>([&](int i) { scatter_lanes(base + i, 9, lanes, d.F[i]); });
   if constexpr (D == 2) return d.F[0] * d.F[4] - d.F[1] * d.F[3];
@@ -284,18 +419,18 @@ SCARP_INLINE CurrentHistory<D> load_history(const ParticleSweep& sweep, const La
     return {left_product<D>(d.F), Pack{}, Pack{}};
   } else {
     Symmetric<D> b;
-    load_field<kSymmetric<D>>(sweep.particles.elastic_left_cauchy_green, 6, lanes, b.a);
-    return {push_forward<D>(f, b), gather_lanes(sweep.particles.plastic_strain, 1, lanes),
-            gather_lanes(sweep.particles.plastic_work, 1, lanes)};
+    load_neighbours<kSymmetric<D>, 6>(sweep.particles.elastic_left_cauchy_green, lanes, b.a);
+    return {push_forward<D>(f, b), load_neighbours(sweep.particles.plastic_strain, lanes),
+            load_neighbours(sweep.particles.plastic_work, lanes)};
   }
 }
 
 template <int D, class Law>
 SCARP_INLINE void store_history(const ParticleSweep& sweep, const Lanes& lanes, const CurrentHistory<D>& history) {
   if constexpr (Law::template fields < D >> 0) {
-    store_field<kSymmetric<D>>(sweep.particles.elastic_left_cauchy_green, 6, lanes, history.b_e.a);
-    scatter_lanes(sweep.particles.plastic_strain, 1, lanes, history.strain);
-    scatter_lanes(sweep.particles.plastic_work, 1, lanes, history.work);
+    store_neighbours<kSymmetric<D>, 6>(sweep.particles.elastic_left_cauchy_green, lanes, history.b_e.a);
+    store_neighbours(sweep.particles.plastic_strain, lanes, history.strain);
+    store_neighbours(sweep.particles.plastic_work, lanes, history.work);
   }
 }
 
@@ -307,7 +442,10 @@ void deform_particles(const ParticleSweep& sweep, const CellRange& range, const 
   for (std::uint32_t c = range.begin; c < range.end; ++c) {
     const std::uint32_t* const nodes = range.tile_nodes + range.first_in_tile[c];
     each_pack(
-        range, c, [&](const Lanes& lanes) __attribute__((always_inline)) {
+        range, c,
+        [&](std::size_t p)
+            __attribute__((always_inline)) { ask_for_deformed<(Law::template fields<D> > 0)>(sweep, p); },
+        [&](const Lanes& lanes) __attribute__((always_inline)) {
           const Weights<D, S> weights(sweep, range, c, lanes);
           Pack f[9];
           velocity_gradient<D, S>(sweep, weights, nodes, f);
@@ -324,8 +462,8 @@ void deform_particles(const ParticleSweep& sweep, const CellRange& range, const 
             sigma[i] = tau.a[i] * per_J;
             check += sigma[i];
           }
-          store_field<kSymmetric<D>>(sweep.particles.stress, 6, lanes, sigma);
-          scatter_lanes(sweep.volume, 1, lanes, J * gather_lanes(sweep.particles.reference_volume, 1, lanes));
+          store_neighbours<kSymmetric<D>, 6>(sweep.particles.stress, lanes, sigma);
+          store_neighbours(sweep.volume, lanes, J * load_neighbours(sweep.particles.reference_volume, lanes));
           const Stretch elastic = stretch_of<D>(history.b_e);
           const Pack speed = elastic.largest_squared() * law.template speed_squared<D>(elastic, history);
           check += speed;

@@ -5,7 +5,7 @@
 // nodes, see particles.hpp.
 #pragma once
 
-#include "solver/kernels/lanes.hpp"
+#include "solver/kernels/neighbours.hpp"
 #include "solver/kernels/particles.hpp"
 
 namespace SCARP_KERNELS {
@@ -28,8 +28,8 @@ void place_particles(const PlaceSweep& sweep, const std::uint32_t* particles, st
   for (std::size_t j = begin; j < end; j += kLanes) {
     const Lanes lanes(particles + j, static_cast<int>(end - j < kLanes ? end - j : kLanes));
     Pack x[D], key = all(sweep.field), inside{};
-    load_field<D>(sweep.position, 3, lanes, x);
-    const Pack half = sweep.half_edge ? gather_lanes(sweep.half_edge, 1, lanes) : Pack{};
+    load_neighbours<D, 3>(sweep.position, lanes, x);
+    const Pack half = sweep.half_edge ? load_neighbours(sweep.half_edge, lanes) : Pack{};
     const Pack slack = half + sweep.slack, beyond = half - sweep.inside;
     Mask within = ~Mask{};
 #pragma GCC unroll 3
@@ -43,7 +43,7 @@ void place_particles(const PlaceSweep& sweep, const std::uint32_t* particles, st
       inside = inside * edge + (c - block * edge);
       key = key * static_cast<double>(sweep.block_count[a]) + block;
     }
-    store_field<D>(sweep.xi, 3, lanes, x);
+    store_neighbours<D, 3>(sweep.xi, lanes, x);
     key = key * 64.0 + inside;
     const Mask found = bits(choose(within, key, Pack{}) + 4503599627370496.0);  // 2^52: the low bits are the number
     for (int l = 0; l < lanes.count; ++l) {
