@@ -15,8 +15,8 @@ namespace scarp {
 /// Returns the indices of what is kept, ascending.
 ///
 /// 2.0 us of processor time per point with 16 neighbours, for a million points in scan lines, 2.4 in any order, where
-/// PCL's own filter takes 1.9 and 2.9; two threads are done 1.7 times as soon as one. Distances are those of single-precision coordinates
-/// relative to the middle of the cloud.
+/// PCL's own filter takes 1.9 and 2.9; two threads are done 1.7 times as soon as one. Distances are those of
+/// single-precision coordinates relative to the middle of the cloud.
 /// @throws Error when the cloud has no more points than `neighbours`, is wider than 100 km, or has more
 /// than 10,000 points at one place (as where "no return" is written as zeros).
 std::vector<std::size_t> statistical_inliers(const std::vector<Vec3>& positions, const StatisticalOutlier& options,

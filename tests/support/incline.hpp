@@ -4,8 +4,8 @@
 // A block on an inclined slab, in the slab's frame: x down the slope, y out of it.
 //
 // Friction of mu N at the base turns the block: N stands mu height / 2 before its middle. Beyond a sixth of its length,
-// mu > 0.67 for a block half as high as long, its rear lifts off, and an elastic one rocks, hops and slips a little each
-// time, by any method and whatever the step. One a quarter as high stays flat.
+// mu > 0.67 for a block half as high as long, its rear lifts off, and an elastic one rocks, hops and slips a little
+// each time, by any method and whatever the step. One a quarter as high stays flat.
 #pragma once
 
 #include <gtest/gtest.h>

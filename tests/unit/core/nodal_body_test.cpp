@@ -40,19 +40,19 @@ Model wedge(int dimension, const Material& material, int n, bool whole_cells = f
   return model;
 }
 
+/// Stress over the P-wave modulus, and so over what F - I of one would make: F is rounded at one, some of the wedge's
+/// strains are a thousandth, and no form of the method could know their stress to more digits than their strain.
 double largest_difference(const Particles& a, const Particles& b) {
-  double stress = 0, size = 0, rest = 0;
+  constexpr double modulus = 27e6;
+  double stress = 0, rest = 0;
   for (std::size_t p = 0; p < a.size(); ++p) {
-    for (int i = 0; i < 6; ++i) {
-      stress = std::max(stress, std::abs(a.stress[p][i] - b.stress[p][i]));
-      size = std::max(size, std::abs(a.stress[p][i]));
-    }
+    for (int i = 0; i < 6; ++i) stress = std::max(stress, std::abs(a.stress[p][i] - b.stress[p][i]));
     for (int i = 0; i < 9; ++i)
       rest = std::max(rest, std::abs(a.deformation_gradient[p][i] - b.deformation_gradient[p][i]));
     rest = std::max({rest, norm(a.position[p] - b.position[p]), norm(a.velocity[p] - b.velocity[p]),
                      std::abs(a.equivalent_plastic_strain[p] - b.equivalent_plastic_strain[p])});
   }
-  return std::max(rest, stress / size);
+  return std::max(rest, stress / modulus);
 }
 
 struct Case {
@@ -98,19 +98,19 @@ SolverOptions options_of(int dimension, BackEnd back_end, double flip) {
   return options;
 }
 
-void expect_equal(const Outcome& oracle, const Outcome& nodal, double rounding = 1e-11) {
-  EXPECT_LT(largest_difference(oracle.particles, nodal.particles), rounding);
+void expect_equal(const Outcome& oracle, const Outcome& nodal) {
+  EXPECT_LT(largest_difference(oracle.particles, nodal.particles), 1e-12);
   const double size = oracle.sample.kinetic + oracle.sample.strain;
   for (auto part : {&HistorySample::kinetic, &HistorySample::strain, &HistorySample::plastic, &HistorySample::potential,
                     &HistorySample::total})
-    EXPECT_NEAR(nodal.sample.*part, oracle.sample.*part, 1e-11 * size);
-  EXPECT_LT(norm(nodal.sample.momentum - oracle.sample.momentum), 1e-11 * 100);
+    EXPECT_NEAR(nodal.sample.*part, oracle.sample.*part, 1e-12 * size);
+  EXPECT_LT(norm(nodal.sample.momentum - oracle.sample.momentum), 1e-12 * 100);
   EXPECT_GT(norm(oracle.sample.angular_momentum), 1);
-  EXPECT_LT(norm(nodal.sample.angular_momentum - oracle.sample.angular_momentum), 1e-11 * 100);
+  EXPECT_LT(norm(nodal.sample.angular_momentum - oracle.sample.angular_momentum), 1e-12 * 100);
   EXPECT_LT(norm(nodal.sample.centre - oracle.sample.centre), 1e-13);
-  EXPECT_NEAR(nodal.work.friction, oracle.work.friction, 1e-11 * size);
-  EXPECT_NEAR(nodal.work.damping, oracle.work.damping, 1e-11 * size);
-  EXPECT_NEAR(nodal.work.external, oracle.work.external, 1e-11 * size);
+  EXPECT_NEAR(nodal.work.friction, oracle.work.friction, 1e-12 * size);
+  EXPECT_NEAR(nodal.work.damping, oracle.work.damping, 1e-12 * size);
+  EXPECT_NEAR(nodal.work.external, oracle.work.external, 1e-12 * size);
 }
 
 TEST(NodalBodyTest, AgreesWithTheParticleStateFormAfterAHundredSteps) {
@@ -235,7 +235,7 @@ TEST(NodalBodyTest, PlacesWithoutPointsMayTurnInsideOut) {
         options.back_end = BackEnd::nodal;
         for (const Kernels& kernels : kernels::available_kernels()) {
           SCOPED_TRACE(std::string(c.name) + ", " + kernels.name + ", " + std::to_string(dimension) + "D");
-          expect_equal(oracle, take_steps(model, options, kernels), 1e-10);  // F is of displacements of two cells
+          expect_equal(oracle, take_steps(model, options, kernels));
         }
       }
 }
