@@ -50,7 +50,7 @@ const std::vector<std::pair<std::string, std::set<std::string>>> kOwners{
     {"CLI/", {"tools/cli"}},
     {"nanoflann", {"ingest/neighbours"}},
     {"Eigen/", {"solver/materials", "solver/core", "tools/compare"}},
-    {"omp.h", {"solver/core"}},
+    {"tbb/", {"solver/model"}},
     {"chrono", {"tools/cli", "tools/pipeline"}}};
 
 std::string without_comments(const std::string& text) { return std::regex_replace(text, std::regex("//[^\n]*"), ""); }

@@ -20,15 +20,6 @@ void open_standard_streams() {
     if (fcntl(descriptor, F_GETFD) == -1 && open("/dev/null", O_RDWR) != descriptor) std::abort();
 }
 
-/// Threads that wait must not burn a processor that others want: a step takes fifty times as long on a busy machine.
-/// libgomp reads the environment when it is loaded, before main, and has no call for it: so the program starts again.
-void wait_passively(char** argv) {
-  if (std::getenv("OMP_WAIT_POLICY") || std::getenv("GOMP_SPINCOUNT")) return;
-  std::error_code none;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
-  if (!none && setenv("OMP_WAIT_POLICY", "passive", 0) == 0) execv(program.c_str(), argv);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -37,7 +28,6 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "scarp: error: %s\n", text);
     return static_cast<int>(ExitCode::wrong_request);
   };
-  wait_passively(argv);
   try {
     open_standard_streams();
     const int code = static_cast<int>(scarp::run_command_line(argc, argv));

@@ -7,7 +7,6 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 tools/dev/build.sh scarp
-export OMP_WAIT_POLICY=passive
 echo "== scarp run datasets/hillside/scenario.toml -o out/hillside"
 "${SCARP_BUILD:-build}/bin/scarp" run datasets/hillside/scenario.toml -o out/hillside "$@"
 echo "== what it made"

@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 packages=(g++ make cmake ninja-build ccache pkg-config git ca-certificates
-  libeigen3-dev libhdf5-dev libisal-dev libgtest-dev libtoml11-dev libmuparser-dev libcli11-dev nlohmann-json3-dev libssl-dev libnanoflann-dev
+  libeigen3-dev libhdf5-dev libisal-dev libtbb-dev libgtest-dev libtoml11-dev libmuparser-dev libcli11-dev nlohmann-json3-dev libssl-dev libnanoflann-dev
   libcgal-dev libpcl-dev
   libopencv-dev libopencv-contrib-dev libgdal-dev
   fonts-dejavu-core python3 python3-numpy python3-h5py python3-vtk9)

@@ -7,6 +7,5 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 tools/dev/build.sh
-export OMP_WAIT_POLICY=passive
 echo "== testing"
 ctest --test-dir "${SCARP_BUILD:-build}" --output-on-failure -LE bench "$@"

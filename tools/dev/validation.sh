@@ -6,7 +6,6 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 tools/dev/build.sh scarp validation
-export OMP_WAIT_POLICY=passive
 build=${SCARP_BUILD:-build}
 ctest --test-dir "$build" --output-on-failure -L validation -E validation_table
 /usr/bin/python3 tests/validation/table.py "$build/validation_rows" --write
