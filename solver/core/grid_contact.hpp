@@ -89,8 +89,9 @@ class GridContact {
   void want_cells(const UpdatedGrid& grid);
   void smooth_volumes(const Particles& particles, const UpdatedGrid& grid, int threads);
   double volume_fraction(const UpdatedGrid& grid, std::uint32_t field, std::array<std::int32_t, 3> cell) const;
-  template <class F>
-  void each_in_reach(const UpdatedGrid& grid, const Place& place, std::uint32_t field, F&& f) const;
+  template <class Matters, class F>
+  void each_in_reach(const UpdatedGrid& grid, const Place& place, std::uint32_t field,
+                     const std::array<bool, 3>& from_above, Matters&& matters, F&& f) const;
   void find_outward(const UpdatedGrid& grid, const Place& place);
   double area_along(const UpdatedGrid& grid, const Place& place, std::uint32_t field, const Vec3& n) const;
   void find_gap(const Particles& particles, const UpdatedGrid& grid, const Place& place, Pair& pair) const;
@@ -112,8 +113,10 @@ class GridContact {
   std::vector<std::uint32_t> wanted_blocks_;
   std::vector<double> volume_tiles_;  ///< per wanted block: volume fraction that it gives its cells and those around
   std::vector<double> radius_;        ///< per particle of the model, m; of wanted cells
-  std::vector<Vec3> before_;          ///< per place node: velocity before act
-  std::vector<Vec3> impulse_;         ///< per body of the model, N s
+  std::vector<double> largest_in_block_;  ///< of them, per wanted block, m
+  double largest_radius_ = 0;             ///< m
+  std::vector<Vec3> before_;              ///< per place node: velocity before act
+  std::vector<Vec3> impulse_;             ///< per body of the model, N s
 };
 
 }  // namespace scarp

@@ -23,6 +23,9 @@ constexpr double kTouching = 0.05;
 /// be shaken. An edge on a plane is tilted by more.
 constexpr double kAlike = 0.05;
 
+/// Between unit vectors that are one but for rounding.
+constexpr double kSame = 1e-12;
+
 /// Smaller than this, a gradient has no direction: per cell, of a fraction.
 constexpr double kFlat = 1e-6;
 
@@ -80,9 +83,35 @@ Vec3 place_of(const UpdatedGrid& grid, const std::array<std::int32_t, 3>& at) {
 /// Directions that may be the normal of a pair, and how the pair stands to each other along them.
 class Directions {
  public:
+  /// One that is the same but for rounding is one: on flat faces all three are.
   void add(const Vec3& g) {
     const double length = norm(g);
-    if (length > kFlat) n_[count_++] = (1 / length) * g;
+    if (!(length > kFlat)) return;
+    const Vec3 n = (1 / length) * g;
+    for (int k = 0; k < count_; ++k)
+      if (norm(n - n_[k]) < kSame) return;
+    const double least = std::min({std::abs(n[0] + n[1] + n[2]), std::abs(n[0] + n[1] - n[2]),
+                                   std::abs(n[0] - n[1] + n[2]), std::abs(n[0] - n[1] - n[2])});
+    spread_[count_] = std::sqrt(3 - least * least);
+    n_[count_++] = n;
+  }
+
+  /// Of a cell whose middle is at `x`: whether balls in it, no larger than `radius`, may count and change something.
+  bool may_count(const Vec3& x, double half_cell, double beside, double radius, bool is_b) const {
+    const double square = dot(x, x);
+    for (int k = 0; k < count_; ++k) {
+      const double along = dot(x, n_[k]), side = beside + half_cell * spread_[k];
+      if (square - along * along > side * side) continue;
+      const double far = radius + half_cell * (std::abs(n_[k][0]) + std::abs(n_[k][1]) + std::abs(n_[k][2]));
+      if (is_b ? along - far < bottom_[k] : along + far > top_[k]) return true;
+    }
+    return false;
+  }
+  /// Axes on which to go through cells from above, so that those that count come first.
+  std::array<bool, 3> from_above(bool is_b) const {
+    std::array<bool, 3> above{};
+    for (int a = 0; a < 3; ++a) above[a] = count_ > 0 && (n_[0][a] > 0) != is_b;
+    return above;
   }
 
   /// A ball at `x` from the node. Only those count whose middle is within `beside` of the line through the node.
@@ -120,6 +149,7 @@ class Directions {
  private:
   int count_ = 0;
   Vec3 n_[3];
+  double spread_[3];  ///< of a cube of edge 2, across n
   double top_[3] = {-INFINITY, -INFINITY, -INFINITY}, bottom_[3] = {INFINITY, INFINITY, INFINITY};
 };
 
@@ -143,6 +173,7 @@ void GridContact::smooth_volumes(const Particles& particles, const UpdatedGrid& 
   const std::size_t tile = static_cast<std::size_t>(edge) * edge * (D == 2 ? 1 : edge);
   const double per_cell = 1 / std::pow(grid.cell, D);
   volume_tiles_.assign(wanted_blocks_.size() * tile, 0);
+  largest_in_block_.assign(wanted_blocks_.size(), 0);
   parallel_for(wanted_blocks_.size(), threads, [&](std::size_t i) {
     const std::uint32_t block = wanted_blocks_[i];
     double* const sums = &volume_tiles_[i * tile];
@@ -153,6 +184,7 @@ void GridContact::smooth_volumes(const Particles& particles, const UpdatedGrid& 
         const double V = grid.kernels ? grid.volume[p]
                                       : determinant(particles.deformation_gradient[p]) * particles.reference_volume[p];
         radius_[p] = 0.5 * (D == 2 ? std::sqrt(V) : std::cbrt(V));
+        largest_in_block_[i] = std::max(largest_in_block_[i], radius_[p]);
         double w[3][3] = {{}, {}, {0, 1, 0}};
         for (int a = 0; a < D; ++a)
           smooth_weights(grid.xi[p][a], grid.blocks[block][a] * e + local[a], grid.cell_count[a], w[a]);
@@ -164,6 +196,8 @@ void GridContact::smooth_volumes(const Particles& particles, const UpdatedGrid& 
       });
     }
   });
+  largest_radius_ = 0;
+  for (const double radius : largest_in_block_) largest_radius_ = std::max(largest_radius_, radius);
 }
 
 /// What the blocks of a field give to a cell. Beyond a wall, the cell before it.
@@ -213,10 +247,19 @@ void GridContact::find_gap(const Particles& particles, const UpdatedGrid& grid, 
   Directions directions;
   for (const Vec3& g : {ga - gb, ga, -1.0 * gb}) directions.add(g);
   const Vec3 centre = place_of(grid, place.at);
-  for (const std::uint32_t side : {pair.a, pair.b})
-    each_in_reach(grid, place, place_nodes_[side].field, [&](std::uint32_t p, const auto&) {
-      directions.look(particles.position[p] - centre, radius_[p], 0.5 * grid.cell + radius_[p], side == pair.b);
-    });
+  for (const std::uint32_t side : {pair.a, pair.b}) {
+    const bool is_b = side == pair.b;
+    const double half = 0.5 * grid.cell;
+    const auto may_count = [&](const std::array<std::int32_t, 3>& cell) {
+      Vec3 middle{0, 0, 0};
+      for (int a = 0; a < grid.dimension; ++a) middle[a] = grid.origin[a] + (cell[a] + 0.5) * grid.cell - centre[a];
+      return directions.may_count(middle, half, half + largest_radius_, largest_radius_, is_b);
+    };
+    each_in_reach(grid, place, place_nodes_[side].field, directions.from_above(is_b), may_count,
+                  [&](std::uint32_t p, const auto&) {
+                    directions.look(particles.position[p] - centre, radius_[p], half + radius_[p], is_b);
+                  });
+  }
   pair.n = {0, 0, 0};
   directions.choose(kAlike * grid.cell, pair.n, pair.gap);
   pair.pull = 0;
@@ -231,7 +274,8 @@ void GridContact::find_gap(const Particles& particles, const UpdatedGrid& grid, 
 double GridContact::area_along(const UpdatedGrid& grid, const Place& place, std::uint32_t field, const Vec3& n) const {
   double area = 0;
   with_shape(grid, [&]<int D, class S>() {
-    each_in_reach(grid, place, field, [&](std::uint32_t p, const std::array<std::int32_t, 3>& cell) {
+    const auto all = [](const std::array<std::int32_t, 3>&) { return true; };
+    each_in_reach(grid, place, field, {}, all, [&](std::uint32_t p, const std::array<std::int32_t, 3>& cell) {
       double N[3][S::width] = {}, dN[3][S::width] = {};
       const double half = S::has_size ? grid.half_edge[p] : 0;
       for (int a = 0; a < D; ++a) S::weigh(grid.xi[p][a], cell[a], grid.cell_count[a], half, N[a], dN[a]);
@@ -248,19 +292,24 @@ double GridContact::area_along(const UpdatedGrid& grid, const Place& place, std:
   return area;
 }
 
-/// f(particle, its cell) over those of a field that give the place's node something.
-template <class F>
-void GridContact::each_in_reach(const UpdatedGrid& grid, const Place& place, std::uint32_t field, F&& f) const {
+/// f(particle, its cell) over those of a field that give the place's node something, in cells that matter.
+/// @param from_above  axes that are gone down
+template <class Matters, class F>
+void GridContact::each_in_reach(const UpdatedGrid& grid, const Place& place, std::uint32_t field,
+                                const std::array<bool, 3>& from_above, Matters&& matters, F&& f) const {
   const int e = grid.block_edge;
   std::array<std::array<std::int32_t, 2>, 3> range{};
   for (int a = 0; a < grid.dimension; ++a)
     range[a] = {std::max(0, place.at[a] - grid.width + 1), std::min(grid.cell_count[a] - 1, place.at[a])};
-  for (std::int32_t z = range[2][0]; z <= range[2][1]; ++z)
-    for (std::int32_t y = range[1][0]; y <= range[1][1]; ++y)
-      for (std::int32_t x = range[0][0]; x <= range[0][1]; ++x) {
+  const auto at = [&](int a, std::int32_t i) { return from_above[a] ? range[a][0] + range[a][1] - i : i; };
+  for (std::int32_t k = range[2][0]; k <= range[2][1]; ++k)
+    for (std::int32_t j = range[1][0]; j <= range[1][1]; ++j)
+      for (std::int32_t i = range[0][0]; i <= range[0][1]; ++i) {
+        const std::int32_t x = at(0, i), y = at(1, j), z = at(2, k);
         const std::uint32_t block = grid.block_of_lattice[grid.lattice_block(field, {x / e, y / e, z / e})];
         if (block == kNone) continue;
         const std::array<std::int32_t, 3> cell{x, y, z};
+        if (!matters(cell)) continue;
         each_member(grid, block, (z % e * e + y % e) * e + x % e, [&](std::uint32_t p) {
           if (!grid.half_edge.empty()) {
             for (int a = 0; a < grid.dimension; ++a)
