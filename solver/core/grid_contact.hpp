@@ -9,7 +9,8 @@
 // g_a - g_b the pair takes the one along which the two are farthest apart (that of the separating axis): beside an
 // edge that lies on a plane it is the plane's, where a mean would be tilted and plough.
 //
-// The gap is that between the particles themselves, as balls of half the edge of their volume,
+// The gap is that between the particles themselves, as balls of half the edge of their volume, which end at the
+// boundary that their body was cut from, or a round rim would have the facets of its lattice:
 //   gap = min over b of (x_p . n - r_p) - max over a of (x_p . n + r_p),
 // and the pair may approach by no more than it in a step. p are the particles with phi_Ip > 0 that a line along n
 // through the node's place passes within h / 2 + r_p: what is farther to the side is the next node's, and counted here
@@ -58,7 +59,7 @@ class GridContact {
   const std::vector<Vec3>& impulse() const { return impulse_; }
   /// Of the arrays that do not depend on where bodies meet.
   double memory_bytes() const {
-    return 8.0 * static_cast<double>(radius_.size()) +
+    return 16.0 * static_cast<double>(radius_.size()) +
            4.0 * static_cast<double>(first_at_node_.size() + fields_at_block_.size());
   }
   void forget_impulse() { impulse_.assign(impulse_.size(), Vec3{0, 0, 0}); }
@@ -83,6 +84,7 @@ class GridContact {
     Vec3 impulse{0, 0, 0};  ///< that hold, and then act, has given to b, N s
   };
 
+  void fit_to_boundaries();
   void follow(const UpdatedGrid& grid);
   void find_near_nodes(const UpdatedGrid& grid);
   void list_places(const UpdatedGrid& grid);
@@ -112,6 +114,7 @@ class GridContact {
   std::vector<std::uint32_t> tile_of_block_;      ///< per block: which of volume_tiles_, or kNone
   std::vector<std::uint32_t> wanted_blocks_;
   std::vector<double> volume_tiles_;  ///< per wanted block: volume fraction that it gives its cells and those around
+  std::vector<double> fit_;           ///< per particle of the model: its radius in halves of its edge
   std::vector<double> radius_;        ///< per particle of the model, m; of wanted cells
   std::vector<double> largest_in_block_;  ///< of them, per wanted block, m
   double largest_radius_ = 0;             ///< m

@@ -183,7 +183,7 @@ void GridContact::smooth_volumes(const Particles& particles, const UpdatedGrid& 
       each_member(grid, block, inside, [&](std::uint32_t p) {
         const double V = grid.kernels ? grid.volume[p]
                                       : determinant(particles.deformation_gradient[p]) * particles.reference_volume[p];
-        radius_[p] = 0.5 * (D == 2 ? std::sqrt(V) : std::cbrt(V));
+        radius_[p] = 0.5 * fit_[p] * (D == 2 ? std::sqrt(V) : std::cbrt(V));
         largest_in_block_[i] = std::max(largest_in_block_[i], radius_[p]);
         double w[3][3] = {{}, {}, {0, 1, 0}};
         for (int a = 0; a < D; ++a)

@@ -7,6 +7,7 @@
 
 #include "solver/core/contact_laws.hpp"
 #include "solver/core/grid_contact.hpp"
+#include "solver/core/signed_distance.hpp"
 #include "solver/core/updated_window.hpp"
 
 namespace scarp {
@@ -48,6 +49,22 @@ GridContact::GridContact(const Model& model, const UpdatedGrid& grid)
   fields_at_block_.assign(grid.lattice_blocks(), kNone);
   first_at_node_.assign(grid.node_of_lattice.size(), kNone);
   radius_.assign(model.particles.size(), 0);
+  fit_to_boundaries();
+}
+
+/// Balls that reached beyond the boundary that their body was cut from touch it: a rim without the lattice's facets.
+/// None grows: larger ones meet what is far to their side, and a blow on few of them loses energy.
+void GridContact::fit_to_boundaries() {
+  fit_.assign(model_.particles.size(), 1);
+  for (const Body& body : model_.bodies) {
+    if (body.formulation != Formulation::updated_lagrangian || body.boundary.triangles.empty()) continue;
+    const SignedDistance boundary(body.boundary, body.ball_radius, model_.domain.dimension == 2);
+    for (std::size_t p = body.begin; p < body.end; ++p) {
+      const double edge = std::pow(model_.particles.reference_volume[p], 1.0 / model_.domain.dimension);
+      const auto foot = boundary.at(model_.particles.reference_position[p], 0.5 * edge);
+      if (foot) fit_[p] = std::max(0.0, -2 * foot->distance / edge);
+    }
+  }
 }
 
 void GridContact::follow(const UpdatedGrid& grid) {

@@ -53,13 +53,14 @@ TEST(GridContactDisks, ReboundWithinThePublishedBands) {
   }
 }
 
-/// A B-spline's node binds particles that are up to three cells apart: coarser by half.
 TEST(GridContactDisks, ComeNearTheBandsWithOtherShapes) {
   for (const auto shape : {ShapeFunction::linear, ShapeFunction::quadratic_bspline}) {
     const Rebound r = rebound(80, 0.2, shape);
     ASSERT_FALSE(r.report.failed) << r.report.failure.what;
     const std::string name = "UL disks in contact, " + std::string(name_of(shape)) + ", 80 cells: ";
-    validate_near(name + "least kinetic energy / initial", 0.058, r.least, 0.008, "the bands, and a third more");
+    const bool linear = shape == ShapeFunction::linear;
+    validate_near(name + "least kinetic energy / initial", 0.058, r.least, linear ? 0.008 : 0.006,
+                  linear ? "the bands, and a third more: particles cross cells" : "the bands");
     validate_near(name + "its time, s", 2.09, r.time_of_least, 0.02, "the bands");
     validate_near(name + "largest strain energy / initial", 0.938, r.most_stored, 0.01, "the bands");
     expect_balance(name, r);
@@ -133,12 +134,14 @@ TEST(GridContactIncline, SlidesAndSticksAfterCoulomb) {
 /// A stiff disk on an inclined slab. Rolls where tan < 3 mu, else slides.
 TEST(GridContactRolling, OfADiskIsThatOfARigidOne) {
   const double g = 9.81, end = 0.5, R = 0.5, floor = 0.25;
-  for (const auto& [degrees, mu] : {std::pair{45., 1.}, {30., 0.1}, {45., 0.2}}) {
+  for (const auto& [degrees, mu] :
+       {std::pair{5., 0.2}, {15., 0.5}, {30., 0.7}, {45., 1.}, {15., 0.05}, {30., 0.1}, {45., 0.2}}) {
     Model model =
         test::empty_model({0, 0, 0}, {5, 1.75, 0}, 0.03125, {Condition::free, Condition::free, Condition::fixed});
     test::seed_body(model, "slab", NeoHookean{{1000, 1e7, 0.3}}, 2, [&](const Vec3& X) { return X[1] < floor; });
     test::seed_body(model, "disk", NeoHookean{{1000, 1e7, 0.3}}, 2,
                     [&](const Vec3& X) { return std::hypot(X[0] - 1, X[1] - floor - R) < R; });
+    model.bodies[1].boundary = prism_mesh(circle_outline({1, floor + R}, R, 3e-5), 0.1);
     for (Body& body : model.bodies) body.formulation = Formulation::updated_lagrangian;
     model.contact.method = ContactMethod::grid;
     model.contact.friction = mu;
@@ -154,10 +157,11 @@ TEST(GridContactRolling, OfADiskIsThatOfARigidOne) {
     const double angle = degrees * pi / 180;
     const bool rolls = std::tan(angle) < 3 * mu;
     const double a = rolls ? 2.0 / 3 * g * std::sin(angle) : g * (std::sin(angle) - mu * std::cos(angle));
-    validate_near("UL disk on UL incline, " + on(degrees, mu, ShapeFunction::gimp).numbers() + ": acceleration / exact",
-                  1, momentum / mass / (a * (end - kRamp / 2)), rolls ? 0.05 : 0.03,
-                  rolls ? "rolls: 2/3 g sin; the rim of a lattice has facets"
-                        : "slides: g (sin - mu cos); the rim's facets catch by 0.01 of friction");
+    validate_near(
+        "UL disk on UL incline, " + on(degrees, mu, ShapeFunction::gimp).numbers() + ": acceleration / exact", 1,
+        momentum / mass / (a * (end - kRamp / 2)), degrees < 10 ? 0.06 : 0.03,
+        rolls ? degrees < 10 ? "rolls: 2/3 g sin; what is left of facets resists by 0.003 g" : "rolls: 2/3 g sin"
+              : "slides: g (sin - mu cos)");
   }
 }
 
