@@ -74,9 +74,15 @@ double von_mises(const auto* s) {
   return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * shear);
 }
 
+std::vector<std::int32_t> bodies_of(const Frame& frame) {
+  const FrameField* const field = find_field(frame, "body");
+  const auto* const bodies = field ? std::get_if<std::vector<std::int32_t>>(&field->values) : nullptr;
+  return bodies && bodies->size() == frame.positions.size() ? *bodies : std::vector<std::int32_t>{};
+}
+
 ColourField whole_field(const Frame& frame, const FrameField& field, int threads) {
   const std::size_t count = frame.positions.size();
-  ColourField result{ColourKind::scalar, in_words(field.name), field.unit, {}, {}, {}};
+  ColourField result{ColourKind::scalar, in_words(field.name), field.unit, {}, {}, {}, bodies_of(frame)};
   if (field.components == 1) {
     result.values = map_particles(field, count, threads, [](const auto* v) { return double(*v); });
   } else if (field.components == 2 || field.components == 3) {
@@ -98,7 +104,7 @@ ColourField whole_field(const Frame& frame, const FrameField& field, int threads
 
 ColourField class_field(const Frame& frame, const FrameField& field) {
   if (field.components != 1) throw Error("render", "classes need one value per particle", field.name);
-  ColourField result{ColourKind::classes, in_words(field.name), "1", {}, {}, {}};
+  ColourField result{ColourKind::classes, in_words(field.name), "1", {}, {}, {}, {}};
   result.classes.reserve(frame.positions.size());
   std::visit(
       [&](const auto& data) {
@@ -111,7 +117,7 @@ ColourField class_field(const Frame& frame, const FrameField& field) {
 ColourField scan_field(const Frame& frame, const FrameField& field) {
   const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&field.values);
   if (!bytes || field.components != 3) throw Error("render", "colours are three bytes per particle", field.name);
-  ColourField result{ColourKind::scan, in_words(field.name), "1", {}, {}, {}};
+  ColourField result{ColourKind::scan, in_words(field.name), "1", {}, {}, {}, {}};
   result.colours.resize(frame.positions.size());
   for (std::size_t i = 0; i < result.colours.size(); ++i)
     result.colours[i] = {(*bytes)[3 * i], (*bytes)[3 * i + 1], (*bytes)[3 * i + 2]};
@@ -136,7 +142,7 @@ ColourField evaluate_field(const Frame& frame, const std::string& name, int thre
                 field.components == 3   ? "x, y, z"
                 : field.components == 6 ? "xx, yy, zz, xy, yz, xz"
                                         : "0 to " + std::to_string(field.components - 1));
-  ColourField result{ColourKind::scalar, in_words(stem) + " " + component, field.unit, {}, {}, {}};
+  ColourField result{ColourKind::scalar, in_words(stem) + " " + component, field.unit, {}, {}, {}, bodies_of(frame)};
   result.values =
       map_particles(field, frame.positions.size(), threads, [k = *index](const auto* v) { return double(v[k]); });
   return result;

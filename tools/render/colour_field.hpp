@@ -24,6 +24,7 @@ struct ColourField {
   std::vector<float> values;          ///< scalar: one per particle, SI; may be NaN
   std::vector<std::int32_t> classes;  ///< classes: one per particle
   std::vector<Rgb8> colours;          ///< scan: one per particle; black where no scan point was near
+  std::vector<std::int32_t> bodies;   ///< scalar: one per particle; values of two are never blended. Empty: all one
 };
 
 /// Evaluates a field by the name of ColourOptions::field: a scalar; of a vector its length; of "stress" the von Mises

@@ -132,6 +132,8 @@ Rgb colour_at(const Layer& layer, const ColourScale& scale, int x, int y) {
   if (std::isnan(own)) return kNoValue;
   const auto slope = [&](int dx, int dy) {
     if (!layer.seen(x + dx, y + dy) || !layer.seen(x - dx, y - dy)) return 0.0f;
+    for (const std::size_t there : {layer.index(x + dx, y + dy), layer.index(x - dx, y - dy)})
+      if (!layer.body.empty() && layer.body[there] != layer.body[i]) return 0.0f;
     const float d = layer.value[layer.index(x + dx, y + dy)] - layer.value[layer.index(x - dx, y - dy)];
     return std::isnan(d) ? 0.0f : 0.5f * d;
   };

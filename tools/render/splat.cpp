@@ -123,6 +123,10 @@ void blend_splat(const Splat& splat, float radius, int left, int top, Tile& tile
   });
 }
 
+std::int32_t body_of(const Job& job, std::int32_t splat) {
+  return job.field.bodies.empty() ? 0 : job.field.bodies[static_cast<std::size_t>(splat)];
+}
+
 /// Second pass: weighted means over the splats whose surface lies close behind the nearest one.
 void blend_front(const Job& job, const Bins& bins, std::size_t begin, std::size_t end, int left, int top, Tile& tile) {
   tile.weight.fill(0);
@@ -138,6 +142,7 @@ void blend_front(const Job& job, const Bins& bins, std::size_t begin, std::size_
     if (hidden(splat, job.radius, left, top, tile)) continue;
     if (kind == ColourKind::scalar && std::isfinite(job.field.values[i]))
       blend_splat(splat, job.radius, left, top, tile, [&, value = job.field.values[i]](int cell, float weight) {
+        if (body_of(job, tile.winner[cell]) != body_of(job, static_cast<std::int32_t>(i))) return;
         tile.value_weight[cell] += weight;
         tile.value[cell] += weight * value;
       });
@@ -169,10 +174,11 @@ Rgb colour_of(const Job& job, const Tile& tile, int cell) {
 void resolve_pixel(const Job& job, const Tile& tile, int x, int y, std::size_t to, Layer& layer) {
   std::array<int, kSamples * kSamples> cells;
   float nearest = kFar;
+  std::int32_t front = -1;
   int covered = 0, core = 0;
   for (int s = 0; s < kSamples * kSamples; ++s) {
     cells[s] = (y * kSamples + s / kSamples) * kSide + x * kSamples + s % kSamples;
-    nearest = std::max(nearest, tile.depth[cells[s]]);
+    if (tile.depth[cells[s]] > nearest) nearest = tile.depth[cells[s]], front = tile.winner[cells[s]];
     covered += tile.covered[cells[s]] & 1;
     core += tile.covered[cells[s]] >> 1;
   }
@@ -180,23 +186,25 @@ void resolve_pixel(const Job& job, const Tile& tile, int x, int y, std::size_t t
   layer.core[to] = static_cast<float>(core) / (kSamples * kSamples);
   if (nearest == kFar) return;
   Rgb colour{0, 0, 0};
-  float height = 0, near = 0, seen = 0, value = 0;
+  float height = 0, near = 0, own = 0, seen = 0, value = 0;
   for (int cell : cells) {
     if (tile.winner[cell] < 0) continue;
     seen += 1;
     if (!layer.colour.empty()) {
-      const Rgb own = colour_of(job, tile, cell);
-      for (int c = 0; c < 3; ++c) colour[c] += own[c];
+      const Rgb of_sample = colour_of(job, tile, cell);
+      for (int c = 0; c < 3; ++c) colour[c] += of_sample[c];
     }
     if (tile.depth[cell] < nearest - 2 * job.radius) continue;
     near += 1;
     height += job.blend ? tile.height[cell] / tile.weight[cell] : tile.depth[cell];
-    if (layer.value.empty()) continue;
+    if (layer.value.empty() || body_of(job, tile.winner[cell]) != body_of(job, front)) continue;
+    own += 1;
     const bool known = std::isfinite(job.field.values[static_cast<std::size_t>(tile.winner[cell])]);
     value += known ? tile.value[cell] / tile.value_weight[cell] : NAN;
   }
   if (!layer.colour.empty()) layer.colour[to] = {colour[0] / seen, colour[1] / seen, colour[2] / seen};
-  if (!layer.value.empty()) layer.value[to] = value / near;
+  if (!layer.value.empty()) layer.value[to] = value / own;
+  if (!layer.body.empty()) layer.body[to] = body_of(job, front);
   layer.depth[to] = height / near / kSamples;
 }
 
@@ -224,11 +232,12 @@ Layer draw_splats(const std::vector<Splat>& splats, float radius, int width, int
               .core = std::vector<float>(pixels, 0),
               .depth = std::vector<float>(pixels, kFar),
               .value = {},
+              .body = {},
               .colour = {},
               .slope_x = {},
               .slope_y = {}};
   if (blend && field.kind == ColourKind::scalar)
-    layer.value.assign(pixels, NAN);
+    layer.value.assign(pixels, NAN), layer.body.assign(field.bodies.empty() ? 0 : pixels, -1);
   else
     layer.colour.resize(pixels);
   // A splat of this radius is sure to hit a sample.

@@ -33,28 +33,25 @@ std::vector<Tap> make_taps(double radius, double loose, double steep) {
   return taps;
 }
 
-/// Weighted normal equations of planes z(x, y) and v(x, y) over the same points; x, y relative to the pixel.
+/// Weighted normal equations of a plane f(x, y); x, y relative to the pixel.
 struct PlaneFit {
   float w = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-  std::array<float, 3> z{}, v{};  ///< sums of 1, x, y times the function
+  std::array<float, 3> f{};  ///< sums of 1, x, y times the function
 
-  void add(float weight, float px, float py, float pz, float pv) {
+  void add(float weight, float px, float py, float pf) {
     w += weight;
     x += weight * px;
     y += weight * py;
     xx += weight * px * px;
     xy += weight * px * py;
     yy += weight * py * py;
-    z[0] += weight * pz;
-    z[1] += weight * pz * px;
-    z[2] += weight * pz * py;
-    v[0] += weight * pv;
-    v[1] += weight * pv * px;
-    v[2] += weight * pv * py;
+    f[0] += weight * pf;
+    f[1] += weight * pf * px;
+    f[2] += weight * pf * py;
   }
 
   /// Constant, slope along x, slope along y. A little stiffness (pixels²) keeps the slopes of few points in bounds.
-  std::array<float, 3> solve(const std::array<float, 3>& f) const {
+  std::array<float, 3> solve() const {
     constexpr float stiffness = 0.05f;
     const float mx = x / w, my = y / w, mean = f[0] / w;
     const float a = xx / w - mx * mx + stiffness, b = xy / w - mx * my, c = yy / w - my * my + stiffness;
@@ -72,22 +69,23 @@ void fit_planes(const Layer& from, Layer& to, const std::vector<Tap>& taps, bool
     // A pixel without a value lends none and gets none.
     const float v = values ? from.value[here] : NAN;
     const bool with_value = !std::isnan(v);
-    PlaneFit fit;
+    PlaneFit of_depth, of_value;
     for (const Tap& tap : taps) {
       if (!from.seen(x + tap.dx, y + tap.dy)) continue;
       const std::size_t there = from.index(x + tap.dx, y + tap.dy);
       // Relative to the pixel's own numbers: single precision loses nothing then.
       const float px = static_cast<float>(tap.dx), py = static_cast<float>(tap.dy), pz = from.depth[there] - z;
-      const float pv = with_value ? from.value[there] - v : 0;
-      if (std::isnan(pv)) continue;
       const float t = (pz - sx * px - sy * py) * tap.tolerance, likeness = 1 + t * t;
-      fit.add(tap.weight / (likeness * likeness), px, py, pz, pv);
+      const float weight = tap.weight / (likeness * likeness);
+      of_depth.add(weight, px, py, pz);
+      if (!with_value || std::isnan(from.value[there])) continue;
+      if (from.body.empty() || from.body[there] == from.body[here]) of_value.add(weight, px, py, from.value[there] - v);
     }
-    const auto depth = fit.solve(fit.z);
+    const auto depth = of_depth.solve();
     to.depth[here] = z + depth[0];
     to.slope_x[here] = depth[1];
     to.slope_y[here] = depth[2];
-    if (values) to.value[here] = with_value ? v + fit.solve(fit.v)[0] : NAN;
+    if (values) to.value[here] = with_value ? v + of_value.solve()[0] : NAN;
   });
 }
 

@@ -130,7 +130,7 @@ Scene scene_with(const std::vector<float>& values) {
 }
 
 ColourKey key_of(const Scene& scene, const ColourOptions& options) {
-  const ColourField field{ColourKind::scalar, "Displacement", "m", {}, {}, {}};
+  const ColourField field{ColourKind::scalar, "Displacement", "m", {}, {}, {}, {}};
   return make_colour_key(scene, field, options, {});
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -185,6 +186,24 @@ TEST(Surface, DoesNotCrossAnEdge) {
     EXPECT_NEAR(layer.slope_x[layer.index(x, 80)], 0, 0.05) << x;
     EXPECT_NEAR(layer.value[layer.index(x, 80)], x < 80 ? 1 : 3, 0.02) << x;
   }
+}
+
+TEST(Surface, ValuesOfTwoBodiesAreNotBlended) {
+  std::vector<Splat> splats;
+  ColourField field;
+  for (int j = 0; j < 40; ++j)
+    for (int i = 0; i < 40; ++i) {
+      splats.push_back({6 + 2.5f * i, 6 + 2.5f * j, 0});
+      field.values.push_back(i < 20 ? 0.0f : 200.0f);
+    }
+  const auto between = [&] {
+    Layer layer = draw_splats(splats, 2.2f, 110, 110, field, {}, true, 1);
+    smooth_surface(layer, 2.5, 1);
+    return std::count_if(layer.value.begin(), layer.value.end(), [](float v) { return v > 0.5f && v < 199.5f; });
+  };
+  EXPECT_GT(between(), 100);
+  for (float value : field.values) field.bodies.push_back(value > 0);
+  EXPECT_EQ(between(), 0);
 }
 
 TEST(Surface, PointsWithoutAValueStayWithoutAndSpoilNoOthers) {
