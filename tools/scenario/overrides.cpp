@@ -68,21 +68,21 @@ Node parse_value(const Override& set) {
   return value;
 }
 
-/// The entry of a list that `step` names: by index, or by its `name`.
+/// The entry of a list that `step` names: by its `name`, which may be a number such as a year, or by index.
 Node& item_of(Node& list, const std::string& step, const std::string& path, const Override& set) {
-  std::size_t index = 0;
-  const auto [end, code] = std::from_chars(step.data(), step.data() + step.size(), index);
-  if (code == std::errc() && end == step.data() + step.size()) {
-    if (index < list.children.size()) return list.children[index];
-    fail(set, path + " has no entry " + step,
-         list.children.empty() ? "none: the list is empty" : "0 to " + std::to_string(list.children.size() - 1));
-  }
   std::vector<std::string> names;
   for (Node& item : list.children) {
     const Node* name = item.find("name");
     if (!name || !name->is_string()) continue;
     if (name->text == step) return item;
     names.push_back(name->text);
+  }
+  std::size_t index = 0;
+  const auto [end, code] = std::from_chars(step.data(), step.data() + step.size(), index);
+  if (code == std::errc() && end == step.data() + step.size()) {
+    if (index < list.children.size()) return list.children[index];
+    fail(set, path + " has no entry " + step,
+         list.children.empty() ? "none: the list is empty" : "0 to " + std::to_string(list.children.size() - 1));
   }
   fail(set, path + " has no entry named \"" + shortened(step) + "\"" + did_you_mean(step, names),
        names.empty() ? "an index, from 0" : quoted_list(names) + ", or an index from 0");

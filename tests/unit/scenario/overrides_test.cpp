@@ -31,6 +31,12 @@ TEST_F(Overrides, SetValuesOfEveryKind) {
   EXPECT_EQ(std::get<DiskVolume>(s.bodies[1].volume).disk.radius, 0.1);
 }
 
+TEST_F(Overrides, TakeANameThatIsANumberForTheName) {
+  const Scenario s = parse(kDisks, {"bodies.0.name=\"1\"", "bodies.1.cell=0.04"});
+  EXPECT_EQ(s.bodies[0].cell, 0.04);
+  EXPECT_FALSE(s.bodies[1].cell);
+}
+
 TEST_F(Overrides, TheLastOneWins) {
   EXPECT_EQ(parse(kDisks, {"domain.cell=0.05", "domain.cell=0.1"}).domain.cell, 0.1);
 }
