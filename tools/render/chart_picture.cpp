@@ -53,7 +53,7 @@ struct Chart {
 
 struct Distribution {
   std::vector<double> shares;  ///< %, of each bin
-  double end = 0;              ///< bins lie between -end and end
+  double begin = 0, end = 0;   ///< of all bins: -end, or 0 where no value is below
   double mean = 0, median = 0, beyond = 0;
 };
 
@@ -70,9 +70,10 @@ Distribution distribution_of(std::vector<double> values, int bins) {
   d.median = values[values.size() / 2];
   d.end = 1.05 * sizes[static_cast<std::size_t>(0.98 * (n - 1))];
   if (!(d.end > 0)) d.end = 1;
+  d.begin = values.front() < 0 ? -d.end : 0;
   d.shares.assign(static_cast<std::size_t>(bins), 0);
   for (double v : values) {
-    const double bin = (v + d.end) / (2 * d.end) * bins;
+    const double bin = (v - d.begin) / (d.end - d.begin) * bins;
     if (bin >= 0 && bin < bins)
       d.shares[static_cast<std::size_t>(bin)] += 100 / n;
     else
@@ -92,15 +93,17 @@ void draw_line(Chart& chart, const std::vector<double>& s, const std::vector<dou
 Picture draw_histogram(const HistogramChart& chart) {
   constexpr int kBins = 60;
   const Distribution d = distribution_of(chart.values, kBins);
-  const double factor = display_unit("m", d.end).factor, end = d.end * factor;
+  const double factor = display_unit("m", d.end).factor, begin = d.begin * factor, end = d.end * factor;
   const std::string unit = display_unit("m", d.end).symbol;
-  Chart box(-end, end, 0, 1.08 * *std::max_element(d.shares.begin(), d.shares.end()));
+  Chart box(begin, end, 0, 1.08 * *std::max_element(d.shares.begin(), d.shares.end()));
   const double lod = std::min(end, chart.level_of_detection * factor);
   if (lod > 0)
-    box.canvas.fill(PixelRect{pixels(box.x(-lod)), box.plot.top, pixels(box.x(lod) - box.x(-lod)), box.plot.height},
+    box.canvas.fill(PixelRect{pixels(box.x(std::max(begin, -lod))), box.plot.top,
+                              pixels(box.x(lod) - box.x(std::max(begin, -lod))), box.plot.height},
                     kShade);
+  const auto edge = [&](int k) { return pixels(box.x(begin + (end - begin) * k / kBins)); };
   for (int k = 0; k < kBins; ++k) {
-    const int left = pixels(box.x(-end + 2 * end * k / kBins)), right = pixels(box.x(-end + 2 * end * (k + 1) / kBins));
+    const int left = edge(k), right = edge(k + 1);
     const int top = pixels(box.y(d.shares[static_cast<std::size_t>(k)]));
     box.canvas.fill(PixelRect{left, top, std::max(1, right - left - 1), box.plot.bottom() - top}, kBars);
   }

@@ -17,7 +17,8 @@ struct HistogramChart {
   std::string title, label, remarks;
 };
 /// Shares of the values in bins of equal width, with 0, mean and median marked; the two per cent farthest from 0 are
-/// beyond the ends and counted there. @throws Error ("render") without values
+/// beyond the ends and counted there. Both sides of 0 are as long; there is one only where no value is below. @throws
+/// Error ("render") without values
 Picture draw_histogram(const HistogramChart& chart);
 
 struct SectionChart {

@@ -31,6 +31,14 @@ std::array<Rgb8, 256> diverging_table() {
   return table;
 }
 
+/// Its part from white to red.
+std::array<Rgb8, 256> rising_table() {
+  const std::array<Rgb8, 256> both = diverging_table();
+  std::array<Rgb8, 256> table;
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = both[128 + i / 2];
+  return table;
+}
+
 /// Brightness of ground lit from the north-west, 1 on the level.
 double hillshade(const Heightfield* ground, int column, int row) {
   if (!ground) return 1;
@@ -99,8 +107,10 @@ struct Sheet {
     draw_footer(canvas, layout, choose_scale_bar(camera.scale, 0.25 * layout.plot.width), "", picture.height);
     const double right = picture.width - layout.font;
     const double room = right - layout.plot.left - 0.25 * layout.plot.width - 6 * layout.font;
-    canvas.text(shorten(canvas, remarks, layout.font, room), {right, picture.height - 0.95 * layout.font}, layout.font,
-                kInk, Align::right);
+    double size = layout.font;
+    while (size > 0.75 * layout.font && canvas.text_width(remarks, size) > room) size -= 0.05 * layout.font;
+    canvas.text(shorten(canvas, remarks, size, room), {right, picture.height - 0.95 * layout.font}, size, kInk,
+                Align::right);
     draw_triad(canvas, layout, ViewAxes{}, !cells.site.crs.empty());
   }
 };
@@ -134,9 +144,11 @@ ColourKey key_of(const Heightfield& difference, const std::string& label, FrameR
   ColourKey key;
   key.label = label;
   key.unit = display_unit("m", end);
-  key.scale = {-end, end, 0, std::nullopt, 0, diverging_table()};
-  key.ticks = nice_ticks(-end * key.unit.factor, end * key.unit.factor, 9);
-  key.below = range.low < -end;
+  const bool one_sided = range.low >= 0;
+  const double begin = one_sided ? 0 : -end;
+  key.scale = {begin, end, 0, std::nullopt, 0, one_sided ? rising_table() : diverging_table()};
+  key.ticks = nice_ticks(begin * key.unit.factor, end * key.unit.factor, 9);
+  key.below = range.low < begin;
   key.above = range.high > end;
   return key;
 }

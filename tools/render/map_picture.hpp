@@ -13,7 +13,8 @@
 namespace scarp {
 
 /// Differences in colours from blue (below 0) by white to red, the same length on either side of 0: the 98th percentile
-/// of their sizes, rounded outwards. Cells within their level of detection are hatched grey, cells without data white.
+/// of their sizes, rounded outwards. From white to red alone where none is below. Cells within their level of detection
+/// are hatched grey, cells without data white.
 struct DifferenceMap {
   const Heightfield* difference = nullptr;          ///< m
   const Heightfield* level_of_detection = nullptr;  ///< m, same cells; nullptr: everything counts

@@ -35,6 +35,12 @@ TEST(DifferenceMap, IsRedAboveAndBlueBelow) {
   EXPECT_EQ(above.pixels.size(), static_cast<std::size_t>(above.width) * above.height);
 }
 
+TEST(DifferenceMap, HasNoBlueWhereNothingIsBelow) {
+  const Heightfield distances = strip({1, 0.1, 0.9}), differences = strip({1, -0.01, 0.9});
+  EXPECT_EQ(count(draw_difference_map({&distances, nullptr, nullptr, "t", "d", ""}), blue), 0);
+  EXPECT_GT(count(draw_difference_map({&differences, nullptr, nullptr, "t", "d", ""}), blue), 0);
+}
+
 TEST(DifferenceMap, HatchesWhatIsWithinItsLevelOfDetection) {
   const Heightfield d = strip({1, 1, 1}), none = strip({0.5, 0.5, 0.5}), all = strip({2, 2, 2});
   const std::size_t seen = count(draw_difference_map({&d, &none, nullptr, "t", "d", ""}), red);
@@ -81,6 +87,18 @@ TEST(Histogram, NeedsValues) {
   const Picture one = draw_histogram({{0, 0, 0}, 0, "t", "d", ""}), two = draw_histogram({{-1, 1}, 0, "t", "d", ""});
   EXPECT_EQ(one.width, two.width);
   EXPECT_NE(one.pixels, two.pixels);
+}
+
+TEST(Histogram, BeginsAtZeroWhereNothingIsBelow) {
+  const auto bars_on_the_left = [](std::vector<double> values) {
+    const Picture chart = draw_histogram({std::move(values), 0, "t", "d", ""});
+    std::size_t bars = 0;
+    for (int y = 0; y < chart.height; ++y)
+      for (int x = 0; x < chart.width / 3; ++x) bars += chart.at(x, y) == Rgb8{104, 156, 204};
+    return bars;
+  };
+  EXPECT_GT(bars_on_the_left({0.02, 0.2, 0.3, 1}), 0u);
+  EXPECT_EQ(bars_on_the_left({0.02, 0.2, 0.3, 1, -0.02}), 0u);
 }
 
 TEST(SectionChart, DrawsBothLines) {
