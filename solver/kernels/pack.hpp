@@ -67,36 +67,10 @@ SCARP_INLINE Pack square_root(Pack a) {
 #endif
 }
 
-/// 1 / a for normal a, to 4e-9 at least.
-SCARP_INLINE Pack rough_reciprocal(Pack a) {
-#if defined(__AVX512F__) && SCARP_LANES == 8
-  const Pack x = reinterpret_cast<Pack>(_mm512_rcp14_pd(reinterpret_cast<__m512d>(a)));
-  return x + x * (1.0 - a * x);
-#else
-  return 1.0 / a;
-#endif
-}
-/// The same to rounding. A quotient keeps the divider busy for longer than the other units need for all of this.
-SCARP_INLINE Pack reciprocal(Pack a) {
-  const Pack x = rough_reciprocal(a);
-#if defined(__AVX512F__) && SCARP_LANES == 8
-  return x + x * (1.0 - a * x);
-#else
-  return x;
-#endif
-}
-
 /// 1 / sqrt(a) for normal a, to two units of the last place; 0 where a < 1e-280.
 SCARP_INLINE Pack inverse_root(Pack a) {
   const Mask there = a >= 1e-280;
-  const Pack safe = choose(there, a, all(1.0));
-#if defined(__AVX512F__) && SCARP_LANES == 8
-  Pack x = reinterpret_cast<Pack>(_mm512_rsqrt14_pd(reinterpret_cast<__m512d>(safe)));
-  for (int i = 0; i < 2; ++i) x += (0.5 * x) * (1.0 - safe * x * x);
-#else
-  const Pack x = 1.0 / square_root(safe);
-#endif
-  return choose(there, x, Pack{});
+  return choose(there, 1.0 / square_root(choose(there, a, all(1.0))), Pack{});
 }
 
 /// The lanes of (before, a) moved up by one: {before[last], a[0], a[1], ...}.

@@ -286,7 +286,7 @@ struct VonMises : Plastic {
     const Pack trial = 2.0 * G * (square * per_root);
     const Pack strength = J * (yield + modulus * points.history[i].plastic_strain());
     const Mask flows = trial > strength;
-    const Pack g = larger(Pack{}, (trial - strength) * reciprocal(3.0 * G + J * modulus));
+    const Pack g = larger(Pack{}, (trial - strength) / (3.0 * G + J * modulus));
     const Pack kept = choose(flows, 1.0 - 1.5 * g * per_root, all(1.0));
     points.tau[i] = scaled<D>(dev, 2.0 * G * kept, K * volume);
     points.A[i] = scaled<D>(dev, kept, third);

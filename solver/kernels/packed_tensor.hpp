@@ -285,7 +285,7 @@ struct Spectrum<3> {
     for (int k = 2; k >= 0; --k) x = even[k] + r2 * x;
     for (int k = 1; k >= 0; --k) y = odd[k] + r2 * y;
     x += r * y;
-    const Pack near = rough_reciprocal(3.0 * (x * x) - 3.0);
+    const Pack near = 1.0 / (3.0 * (x * x) - 3.0);
     x -= (x * (x * x - 3.0) - 2.0 * r) * near;
     per_slope_ = near * (2.0 - near * (3.0 * (x * x) - 3.0));
     apart_ = with_sign(x, half_);
