@@ -24,10 +24,11 @@ void Contact::update() {
   const auto shift = [&](auto anchor, const std::vector<RigidState>& of_rigid) {
     return std::max(farthest_shift(anchor), shift_of_rigid(of_rigid));
   };
-  const bool lists_hold = shift(&ContactBody::list_anchor, rigid_list_anchor_) < allowed_;
-  const bool steady = lists_hold && shift(&ContactBody::geometry_anchor, rigid_geometry_anchor_) < steady_;
+  const bool steady = shift(&ContactBody::geometry_anchor, rigid_geometry_anchor_) < steady_;
   if (!steady) {
     for (ContactLink& link : links_) find_slides(link);
+    // They hold until the geometry is found the next time.
+    const bool lists_hold = shift(&ContactBody::list_anchor, rigid_list_anchor_) < allowed_ - steady_;
     if (!lists_hold) make_lists();
     find_geometry();
   }

@@ -51,22 +51,28 @@ struct ContactBody {
 struct ContactLink {
   struct Candidate {
     std::uint32_t point = 0;
-    std::uint32_t begin = 0, end = 0;  ///< range in `masters` and `share_of_master`
+    std::uint32_t begin = 0, end = 0;  ///< range in `masters`
     // As found last:
     bool live = false;
-    Vec3 n{0, 0, 0};       ///< of the other body, outward
-    double stiffness = 0;  ///< N/m
+    std::uint32_t shares_begin = 0, shares_end = 0;  ///< range in `shares`
+    Vec3 n{0, 0, 0};                                 ///< of the other body, outward
+    double stiffness = 0;                            ///< N/m
     double friction = 0;
+  };
+  /// A point of the other body that takes part of the force.
+  struct Share {
+    std::uint32_t point = 0;
+    double part = 0;  ///< of the candidate's force; they sum to 1
   };
   std::size_t slave = 0, master = 0;  ///< which ContactBody
   double share = 1;                   ///< of the springs; half where the bodies look at each other in turn
   std::optional<double> friction;     ///< of this pair of bodies; else that of the materials holds
   std::vector<Candidate> candidates;
   std::vector<std::uint32_t> masters;
-  std::vector<double> share_of_master;  ///< of the candidate's force; they sum to 1
-  std::vector<Vec3> slid;               ///< per point: over the masters since the update before, m
-  std::vector<Vec3> stretch;            ///< per point: of the tangential spring, m
-  std::vector<std::uint8_t> touching;   ///< per point
+  std::vector<Share> shares;           ///< of live candidates
+  std::vector<Vec3> slid;              ///< per point: over the masters since the update before, m
+  std::vector<Vec3> stretch;           ///< per point: of the tangential spring, m
+  std::vector<std::uint8_t> touching;  ///< per point
 };
 
 /// The points of one body against a face of the domain with friction that none of its nodes stood on at the start.
@@ -214,7 +220,12 @@ class Contact {
   double fastest_ = 0;                     ///< of the live points, m/s
   std::uint64_t updates_ = 2;              ///< so that nothing has been seen in the one before
   std::vector<double> material_friction_;  ///< per pair of materials
-  std::vector<double> weights_;            ///< of a candidate's masters
+  struct NearMaster {
+    std::uint32_t point;
+    double weight;
+    Vec3 d;  ///< from the candidate to it, m
+  };
+  std::vector<NearMaster> near_;           ///< of the candidate that is looked at
   std::vector<std::uint32_t> everything_;  ///< 0, 1, 2, ...
   std::vector<std::uint32_t> pushed_;      ///< particles of updated-Lagrangian bodies, with forces
   std::vector<Vec3> pushes_;

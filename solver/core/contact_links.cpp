@@ -43,12 +43,15 @@ void Contact::list_candidates(ContactLink& link) {
     });
     if (link.masters.size() == begin) continue;
     a.is_active[i] = 1;
-    link.candidates.push_back({.point = i, .begin = begin, .end = static_cast<std::uint32_t>(link.masters.size())});
+    const auto end = static_cast<std::uint32_t>(link.masters.size());
+    near_.reserve(end - begin);
+    link.candidates.push_back({.point = i, .begin = begin, .end = end});
   }
-  link.share_of_master.assign(link.masters.size(), 0);
+  link.shares.reserve(link.masters.size());
 }
 
 void Contact::find_geometry(ContactLink& link) {
+  link.shares.clear();
   for (ContactLink::Candidate& candidate : link.candidates) {
     Touch touch;
     candidate.live = look(link, candidate, touch);
@@ -77,13 +80,15 @@ void Contact::make_live(ContactLink& link, ContactLink::Candidate& candidate, co
   a.is_live[candidate.point] = 1;
   a.stiffness[candidate.point] += touch.stiffness;
   a.pressed = b.pressed = true;
-  for (std::uint32_t k = candidate.begin; k < candidate.end; ++k) {
-    const double share = weights_[k - candidate.begin] / touch.weight;
-    link.share_of_master[k] = share;
-    if (share == 0) continue;
-    b.is_live[link.masters[k]] = 1;
-    b.stiffness[link.masters[k]] += share * touch.stiffness;
+  candidate.shares_begin = static_cast<std::uint32_t>(link.shares.size());
+  for (const NearMaster& near : near_) {
+    const double part = near.weight / touch.weight;
+    if (part == 0) continue;
+    link.shares.push_back({near.point, part});
+    b.is_live[near.point] = 1;
+    b.stiffness[near.point] += part * touch.stiffness;
   }
+  candidate.shares_end = static_cast<std::uint32_t>(link.shares.size());
 }
 
 /// Before the geometry changes.
@@ -92,8 +97,8 @@ void Contact::find_slides(ContactLink& link) {
   for (const ContactLink::Candidate& candidate : link.candidates) {
     if (!candidate.live) continue;
     Vec3 slid = a.moved[candidate.point];
-    for (std::uint32_t k = candidate.begin; k < candidate.end; ++k)
-      if (link.share_of_master[k] != 0) slid = slid - link.share_of_master[k] * b.moved[link.masters[k]];
+    for (std::uint32_t k = candidate.shares_begin; k < candidate.shares_end; ++k)
+      slid = slid - link.shares[k].part * b.moved[link.shares[k].point];
     link.slid[candidate.point] = slid;
   }
 }
@@ -105,8 +110,8 @@ void Contact::find_forces(ContactLink& link, bool slides_known) {
     if (!candidate.live) continue;
     const std::uint32_t i = candidate.point;
     Vec3 above = a.y[i];
-    for (std::uint32_t k = candidate.begin; k < candidate.end; ++k)
-      if (link.share_of_master[k] != 0) above = above - link.share_of_master[k] * b.y[link.masters[k]];
+    for (std::uint32_t k = candidate.shares_begin; k < candidate.shares_end; ++k)
+      above = above - link.shares[k].part * b.y[link.shares[k].point];
     const double depth = a.radius[i] - dot(above, candidate.n), stiffness = candidate.stiffness;
     if (!(depth > 0)) {
       link.touching[i] = 0;
@@ -120,11 +125,10 @@ void Contact::find_forces(ContactLink& link, bool slides_known) {
               rub(link.stretch[i], link.touching[i], link.slid[i], candidate.n, stiffness, candidate.friction, depth);
     link.touching[i] = 1;
     a.force[i] = a.force[i] + force;
-    for (std::uint32_t k = candidate.begin; k < candidate.end; ++k)
-      if (link.share_of_master[k] != 0) {
-        const std::uint32_t q = link.masters[k];
-        b.force[q] = b.force[q] - link.share_of_master[k] * force;
-      }
+    for (std::uint32_t k = candidate.shares_begin; k < candidate.shares_end; ++k) {
+      const ContactLink::Share& share = link.shares[k];
+      b.force[share.point] = b.force[share.point] - share.part * force;
+    }
     net_[a.body] = net_[a.body] + force;
     net_[b.body] = net_[b.body] - force;
   }
@@ -136,16 +140,16 @@ bool Contact::look(const ContactLink& link, const ContactLink::Candidate& candid
   const std::uint32_t i = candidate.point;
   const Vec3 y = a.y[i], facing = a.n[i];
   const double R = reach(a, b), per_square = 1 / (R * R);
-  if (weights_.size() < candidate.end - candidate.begin) weights_.resize(2 * (candidate.end - candidate.begin));
+  near_.clear();
   double cover = 0, modulus = 0, heaviest = 0;
   for (std::uint32_t k = candidate.begin; k < candidate.end; ++k) {
-    double& w = weights_[k - candidate.begin] = 0;
     const std::uint32_t q = link.masters[k];
     const Vec3 d = b.y[q] - y;
     const double square = dot(d, d) * per_square;
     if (square >= 1 || (a.total && dot(facing, b.n[q]) > kFacing)) continue;
     const double h = dot(d, b.n[q]), across = 1 - square + h * h * per_square;
-    w = b.area[q] * (1 - square) * (1 - square);
+    const double w = b.area[q] * (1 - square) * (1 - square);
+    near_.push_back({q, w, d});
     touch.weight += w;
     modulus += w * b.modulus[q];
     cover += b.area[q] * across * across;
@@ -173,7 +177,7 @@ bool Contact::look(const ContactLink& link, const ContactLink::Candidate& candid
 /// work of the forces may. One-sided neighbourhoods at a rim are tilted by less.
 void Contact::stand_above(const ContactLink& link, const ContactLink::Candidate& candidate, Touch& touch) {
   const ContactBody &a = bodies_[link.slave], &b = bodies_[link.master];
-  const Vec3 y = a.y[candidate.point], n = touch.n;
+  const Vec3& n = touch.n;
   const Vec3 across = std::abs(n[2]) < 0.9 ? Vec3{-n[1], n[0], 0} : Vec3{0, -n[2], n[1]};
   const Vec3 e = (1 / norm(across)) * across, f = dimension_ == 3 ? cross(n, e) : Vec3{0, 0, 0};
   const double R = reach(a, b), least = 0.05 * touch.weight * R * R;
@@ -183,13 +187,10 @@ void Contact::stand_above(const ContactLink& link, const ContactLink::Candidate&
   const Vec3 tilt = ((mf * ef - me * ff) / D) * e + ((me * ef - mf * ee) / D) * f;
   double height = 0;
   touch.weight = 0;
-  for (std::uint32_t k = candidate.begin; k < candidate.end; ++k) {
-    double& w = weights_[k - candidate.begin];
-    if (w == 0) continue;
-    const Vec3 d = b.y[link.masters[k]] - y;
-    w *= std::max(0.0, 1 + dot(tilt, d));
-    touch.weight += w;
-    height -= w * dot(d, n);
+  for (NearMaster& near : near_) {
+    near.weight *= std::max(0.0, 1 + dot(tilt, near.d));
+    touch.weight += near.weight;
+    height -= near.weight * dot(near.d, n);
   }
   touch.depth = a.radius[candidate.point] - height / touch.weight;
 }

@@ -20,23 +20,40 @@ inline Vec3 current_normal(const Mat3& F, const Vec3& N) {
   return length > 0 ? (1 / length) * n : N;
 }
 
+/// F - I at a place of a linear cell, by differences along one axis after the other of its corners' displacements.
+template <int D>
+inline Mat3 displacement_gradient(Vec3 (&u)[1 << D], const Vec3& xi, double per_edge) {
+  Vec3 along[D][1 << (D - 1)];
+  for (int a = 0, left = 1 << (D - 1); a < D; ++a, left /= 2)
+    for (int k = 0; k < left; ++k) {
+      for (int b = 0; b < a; ++b) along[b][k] = along[b][2 * k] + xi[a] * (along[b][2 * k + 1] - along[b][2 * k]);
+      along[a][k] = u[2 * k + 1] - u[2 * k];
+      u[k] = u[2 * k] + xi[a] * along[a][k];
+    }
+  Mat3 gradient{};
+  for (int i = 0; i < D; ++i)
+    for (int a = 0; a < D; ++a) gradient[3 * i + a] = per_edge * along[a][0][i];
+  return gradient;
+}
+
 template <int D, bool normals, class Displacement>
 void locate_points_in(const ContactSurface& surface, const std::uint32_t* points, std::size_t count, Displacement&& U,
                       std::vector<Vec3>& y, std::vector<Vec3>* n) {
   constexpr std::size_t corners = 1 << D;
+  const double per_edge = 1 / surface.cell_edge;
   for (std::size_t j = 0; j < count; ++j) {
     const std::uint32_t i = points[j];
-    Vec3 place = surface.Y[i];
-    Mat3 F = kIdentity;
-    for (std::size_t k = i * corners; k < (i + 1) * corners; ++k) {
-      const Vec3 u = U(surface.nodes[k]), &slope = surface.slopes[k];
-      for (int a = 0; a < D; ++a) {
-        place[a] += surface.weights[k] * u[a];
-        for (int b = 0; normals && b < D; ++b) F[3 * a + b] += u[a] * slope[b];
-      }
+    Vec3 u[corners], place = surface.Y[i];
+    for (std::size_t k = 0; k < corners; ++k) {
+      u[k] = U(surface.nodes[i * corners + k]);
+      place = place + surface.weights[i * corners + k] * u[k];
     }
     y[i] = place;
-    if (normals) (*n)[i] = current_normal(F, surface.N[i]);
+    if constexpr (normals) {
+      Mat3 F = displacement_gradient<D>(u, surface.xi[i], per_edge);
+      for (int a = 0; a < 3; ++a) F[4 * a] += 1;
+      (*n)[i] = current_normal(F, surface.N[i]);
+    }
   }
 }
 

@@ -162,6 +162,7 @@ template <int D>
 void find_weights(ContactSurface& surface, const Model& model, const TotalBody& body) {
   using Cell = LinearCell<D>;
   const ReferenceGrid& grid = body.grid;
+  surface.cell_edge = grid.cell;
   for (std::size_t i = 0; i < surface.size(); ++i) {
     const std::size_t p = surface.particle[i];
     const auto cell = static_cast<std::uint32_t>(std::upper_bound(grid.cell_begin.begin(), grid.cell_begin.end(), p) -
@@ -169,18 +170,12 @@ void find_weights(ContactSurface& surface, const Model& model, const TotalBody& 
     const Vec3 X = model.particles.reference_position[p], xi = grid.place(cell, p - body.begin, X),
                place = xi + (1 / grid.cell) * (surface.Y[i] - X);
     surface.cell.push_back(cell);
+    surface.xi.push_back(xi);
     for (int k = 0; k < Cell::N; ++k) {
       double value = 1;
-      Vec3 slope{0, 0, 0};
       for (int a = 0; a < D; ++a) value *= k >> a & 1 ? place[a] : 1 - place[a];
-      for (int a = 0; a < D; ++a) {
-        slope[a] = (k >> a & 1 ? 1 : -1) / grid.cell;
-        for (int b = 0; b < D; ++b)
-          if (b != a) slope[a] *= k >> b & 1 ? xi[b] : 1 - xi[b];
-      }
       surface.nodes.push_back(grid.cell_nodes[cell * Cell::N + k]);
       surface.weights.push_back(value);
-      surface.slopes.push_back(slope);
     }
   }
 }

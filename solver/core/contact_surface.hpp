@@ -32,7 +32,8 @@ struct ContactSurface {
   std::vector<std::uint32_t> nodes;     ///< `corners` per point: of the ReferenceGrid, or where its body keeps them
   std::vector<std::uint32_t> distinct;  ///< each of them once
   std::vector<double> weights;          ///< phi_I(Y)
-  std::vector<Vec3> slopes;             ///< grad0 phi_I(X_p), 1/m
+  double cell_edge = 0;                 ///< of the ReferenceGrid, m
+  std::vector<Vec3> xi;                 ///< place of X_p in its cell, where the normal's F is taken
   std::vector<double> mobility;         ///< 1/kg: at most so much acceleration at a point for its share of a unit force
 
   std::size_t size() const { return particle.size(); }
