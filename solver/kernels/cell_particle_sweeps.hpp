@@ -94,34 +94,18 @@ template <class Ask, class F>
 SCARP_INLINE void each_pack_of_cell(const CellSweep& sweep, std::size_t cell, Ask&& ask, F&& f) {
   const std::size_t begin = sweep.cell_begin[cell], end = sweep.cell_begin[cell + 1];
   for (std::size_t p = begin; p < end; p += kLanes) {
-    ask(p + 32);
+    ask(p + kAhead);
     f(Neighbours(p, end).lanes, p == begin);
   }
 }
 
-SCARP_INLINE void ask_for_advanced(const CellSweep& sweep, std::size_t p) {
-  ask_for_field<3>(sweep.xi - 3 * sweep.first, p);
-  ask_for_field<3>(sweep.particles.velocity, p);
-  ask_for_field<3>(sweep.particles.position, p);
-  ask_for_field<1>(sweep.particles.mass, p);
-}
-template <bool history>
-SCARP_INLINE void ask_for_deformed(const CellSweep& sweep, std::size_t p) {
-  ask_for_field<3>(sweep.xi - 3 * sweep.first, p);
-  ask_for_field<9>(sweep.particles.deformation_gradient, p);
-  ask_for_field<6>(sweep.particles.stress, p);
-  ask_for_field<1>(sweep.particles.reference_volume, p);
-  if constexpr (history) {
-    ask_for_field<6>(sweep.particles.elastic_left_cauchy_green, p);
-    ask_for_field<1>(sweep.particles.plastic_strain, p);
-    ask_for_field<1>(sweep.particles.plastic_work, p);
-  }
-}
+/// Of the model's particles, as its arrays are.
+SCARP_INLINE const double* places_of(const CellSweep& sweep) { return sweep.xi - 3 * sweep.first; }
 
 template <int D>
 SCARP_INLINE CornerWeights<D> weights_of(const CellSweep& sweep, const Lanes& lanes) {
   Pack xi[D];
-  load_neighbours<D, 3>(sweep.xi - 3 * sweep.first, lanes, xi);
+  load_neighbours<D, 3>(places_of(sweep), lanes, xi);
   return CornerWeights<D>(xi);
 }
 
@@ -131,7 +115,8 @@ void advance_cells(const CellSweep& sweep, std::size_t begin, std::size_t end) {
     const std::uint32_t* const nodes = sweep.cell_nodes + cell * kCorners<D>;
     double* const slots = sweep.slots + cell * (3 * kCorners<D>);
     each_pack_of_cell(
-        sweep, cell, [&](std::size_t p) __attribute__((always_inline)) { ask_for_advanced(sweep, p); },
+        sweep, cell,
+        [&](std::size_t p) __attribute__((always_inline)) { ask_for_moved(sweep.particles, places_of(sweep), p); },
         [&](const Lanes& lanes, bool first) __attribute__((always_inline)) {
           Pack phi[kCorners<D>], v[D], x[D], held[D] = {}, carried[D] = {};
           weights_of<D>(sweep, lanes).values(phi);
@@ -229,8 +214,9 @@ void deform_cells(const CellSweep& sweep, std::size_t begin, std::size_t end, co
     Pack stiffness{}, weight{};
     each_pack_of_cell(
         sweep, cell,
-        [&](std::size_t p)
-            __attribute__((always_inline)) { ask_for_deformed<(Law::template fields<D> > 0)>(sweep, p); },
+        [&](std::size_t p) __attribute__((always_inline)) {
+          ask_for_deformed<(Law::template fields<D> > 0)>(sweep.particles, places_of(sweep), p);
+        },
         [&](const Lanes& lanes, bool first) __attribute__((always_inline)) {
           Pack rise[D][kCorners<D>], old[9], P[9];
           weights_of<D>(sweep, lanes).slopes(sweep.per_cell, rise);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "solver/kernels/lanes.hpp"
+#include "solver/kernels/particles.hpp"
 
 namespace SCARP_KERNELS {
 namespace {
@@ -157,6 +158,31 @@ SCARP_INLINE void ask_for_field(const double* base, std::size_t first) {
   const double* const at = base + first * stride;
 #pragma GCC unroll 9
   for (int line = 0; line < (stride * kLanes + 7) / 8; ++line) __builtin_prefetch(at + 8 * line, 0, 3);
+}
+
+/// How many particles ahead sweeps ask.
+constexpr std::uint32_t kAhead = 32;
+
+/// The same of all that moving particles reads, and deforming them.
+/// @param xi  their places in their cells
+SCARP_INLINE void ask_for_moved(const scarp::kernels::ParticleArrays& particles, const double* xi, std::size_t first) {
+  ask_for_field<3>(xi, first);
+  ask_for_field<3>(particles.velocity, first);
+  ask_for_field<3>(particles.position, first);
+  ask_for_field<1>(particles.mass, first);
+}
+template <bool history>
+SCARP_INLINE void ask_for_deformed(const scarp::kernels::ParticleArrays& particles, const double* xi,
+                                   std::size_t first) {
+  ask_for_field<3>(xi, first);
+  ask_for_field<9>(particles.deformation_gradient, first);
+  ask_for_field<6>(particles.stress, first);
+  ask_for_field<1>(particles.reference_volume, first);
+  if constexpr (history) {
+    ask_for_field<6>(particles.elastic_left_cauchy_green, first);
+    ask_for_field<1>(particles.plastic_strain, first);
+    ask_for_field<1>(particles.plastic_work, first);
+  }
 }
 
 }  // namespace

@@ -96,9 +96,8 @@ struct Weights {
 /// The particle that comes this many after the m-th member: what a sweep asks memory for. The rows of a block are short
 /// runs of particles, too short for the processor to foresee.
 SCARP_INLINE std::size_t particle_ahead(const CellRange& range, std::uint32_t m) {
-  constexpr std::uint32_t ahead = 32;
   const std::uint32_t last = range.cell_begin[range.end] - 1;
-  return range.members[m + ahead < last ? m + ahead : last];
+  return range.members[m + kAhead < last ? m + kAhead : last];
 }
 
 /// f(lanes) for the packs of a cell; ask(p) for what f will need of the particles from p on some packs later.
@@ -116,25 +115,6 @@ SCARP_INLINE void ask_for_mapped(const ParticleSweep& sweep, std::size_t p) {
   ask_for_field<6>(sweep.particles.stress, p);
   ask_for_field<1>(sweep.particles.mass, p);
   ask_for_field<1>(sweep.volume, p);
-}
-SCARP_INLINE void ask_for_advanced(const ParticleSweep& sweep, std::size_t p) {
-  ask_for_field<3>(sweep.xi, p);
-  ask_for_field<3>(sweep.particles.velocity, p);
-  ask_for_field<3>(sweep.particles.position, p);
-  ask_for_field<1>(sweep.particles.mass, p);
-}
-template <bool history>
-SCARP_INLINE void ask_for_deformed(const ParticleSweep& sweep, std::size_t p) {
-  ask_for_field<3>(sweep.xi, p);
-  ask_for_field<9>(sweep.particles.deformation_gradient, p);
-  ask_for_field<6>(sweep.particles.stress, p);
-  ask_for_field<1>(sweep.particles.reference_volume, p);
-  ask_for_field<1>(sweep.volume, p);
-  if constexpr (history) {
-    ask_for_field<6>(sweep.particles.elastic_left_cauchy_green, p);
-    ask_for_field<1>(sweep.particles.plastic_strain, p);
-    ask_for_field<1>(sweep.particles.plastic_work, p);
-  }
 }
 
 /// V sigma of the lanes, and nothing of those that do not count.
@@ -306,7 +286,7 @@ double advance_particles(const ParticleSweep& sweep, const CellRange& range) {
     double* const window = range.tile + static_cast<std::size_t>(range.first_in_tile[c]) * 4;
     const std::uint32_t* const nodes = range.tile_nodes + range.first_in_tile[c];
     each_pack(
-        range, c, [&](std::size_t p) __attribute__((always_inline)) { ask_for_advanced(sweep, p); },
+        range, c, [&](std::size_t p) __attribute__((always_inline)) { ask_for_moved(sweep.particles, sweep.xi, p); },
         [&](const Lanes& lanes) __attribute__((always_inline)) {
           const Weights<D, S> weights(sweep, range, c, lanes);
           Pack held[D] = {}, carried[D] = {};
@@ -443,8 +423,10 @@ void deform_particles(const ParticleSweep& sweep, const CellRange& range, const 
     const std::uint32_t* const nodes = range.tile_nodes + range.first_in_tile[c];
     each_pack(
         range, c,
-        [&](std::size_t p)
-            __attribute__((always_inline)) { ask_for_deformed<(Law::template fields<D> > 0)>(sweep, p); },
+        [&](std::size_t p) __attribute__((always_inline)) {
+          ask_for_deformed<(Law::template fields<D> > 0)>(sweep.particles, sweep.xi, p);
+          ask_for_field<1>(sweep.volume, p);
+        },
         [&](const Lanes& lanes) __attribute__((always_inline)) {
           const Weights<D, S> weights(sweep, range, c, lanes);
           Pack f[9];
