@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "solver/core/formulations.hpp"
 #include "solver/core/make_frame.hpp"
@@ -17,6 +15,7 @@
 #include "solver/core/run.hpp"
 #include "solver/store/frame_store.hpp"
 #include "tests/bench/textbook.hpp"
+#include "tools/pipeline/bench_block.hpp"
 #include "tools/pipeline/bench_contact.hpp"
 #include "tools/pipeline/fastest.hpp"
 
@@ -76,29 +75,17 @@ Model block(const Case& c, std::int64_t particles) {
   model.domain = {c.dimension, 1, {0, 0, 0}, {end, end, c.dimension == 3 ? end : 0}, {}};
   model.materials = {{"material", c.law}};
   const int n = 2 * per_axis, layers = c.dimension == 3 ? n : 1;
-  const double V0 = c.dimension == 3 ? 0.125 : 0.25, density = 1900;
-  Particles& P = model.particles;
-  resize_particles(P, static_cast<std::size_t>(n) * n * layers);
-  std::size_t p = 0;
-  for (int k = 0; k < layers; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i, ++p) {
+  add_block(
+      model, "block", c.formulation, {n, n, layers},
+      [&](int i, int j, int k) {
         Vec3 X{2.25 + 0.5 * i, 2.25 + 0.5 * j, c.dimension == 3 ? 2.25 + 0.5 * k : 0};
         if (c.jittered)
           for (int a = 0; a < c.dimension; ++a) X[a] += 0.2 * std::sin(12.9898 * i + 78.233 * j + 37.719 * k + 4 * a);
-        P.id[p] = static_cast<std::int64_t>(p);
-        P.reference_position[p] = P.position[p] = X;
-        P.reference_volume[p] = V0;
-        P.mass[p] = density * V0;
-        P.velocity[p] = {c.shear * X[1] + 0.01 * std::sin(X[1]), 0.01 * std::cos(X[0]), 0};
-      }
-  Body body;
-  body.name = "block";
-  body.formulation = c.formulation;
-  const auto cells = static_cast<std::int32_t>(end);
-  body.lattice = {{0, 0, 0}, 1, {cells, cells, c.dimension == 3 ? cells : 0}};
-  body.end = P.size();
-  model.bodies = {body};
+        return X;
+      },
+      [&](const Vec3& X) {
+        return Vec3{c.shear * X[1] + 0.01 * std::sin(X[1]), 0.01 * std::cos(X[0]), 0};
+      });
   return model;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "solver/core/formulations.hpp"
-#include "solver/core/reference_grid.hpp"
+#include "tools/pipeline/bench_block.hpp"
 #include "tools/pipeline/fastest.hpp"
 
 namespace scarp {
@@ -32,31 +32,14 @@ std::vector<ContactCase> all_cases() {
           {"UL contact, grid, B-spline", updated, ShapeFunction::quadratic_bspline, ContactMethod::grid}};
 }
 
-/// A slab of whole cells of one metre, eight points in each, from z = `base`.
+/// A slab of whole cells, eight points in each, from z = `base`.
 void add_slab(Model& model, Formulation formulation, const char* name, int width, double base, const Vec3& velocity) {
-  Particles& P = model.particles;
-  Body body;
-  body.name = name;
-  body.formulation = formulation;
-  body.begin = P.size();
-  const int n = 2 * width, layers = 2 * kThickness;
-  resize_particles(P, body.begin + static_cast<std::size_t>(n) * n * layers);
-  std::size_t p = body.begin;
-  for (int k = 0; k < layers; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i, ++p) {
-        P.id[p] = static_cast<std::int64_t>(p);
-        P.body[p] = static_cast<std::int32_t>(model.bodies.size());
-        P.reference_position[p] = P.position[p] = {2.25 + 0.5 * i, 2.25 + 0.5 * j, base + 0.25 + 0.5 * k};
-        P.reference_volume[p] = 0.125;
-        P.mass[p] = 1900 * 0.125;
-        P.velocity[p] = velocity;
-      }
-  body.end = p;
-  const auto& domain = model.domain;
-  body.lattice = {{0, 0, 0}, 1, {}};
-  for (int a = 0; a < 3; ++a) body.lattice.cells[a] = static_cast<std::int32_t>(domain.max[a]);
-  model.bodies.push_back(std::move(body));
+  add_block(
+      model, name, formulation, {2 * width, 2 * width, 2 * kThickness},
+      [&](int i, int j, int k) {
+        return Vec3{2.25 + 0.5 * i, 2.25 + 0.5 * j, base + 0.25 + 0.5 * k};
+      },
+      [&](const Vec3&) { return velocity; });
 }
 
 Model slabs(const ContactCase& c, std::int64_t particles) {
